@@ -73,12 +73,16 @@ std::string left_out(const Subject& guest, const Property& property) {
   return "";
 }
 
+/// Whether it was asked on boundaries before the run, and is right on all of them.
+bool is_right_on_boundaries(const Subject& guest) {
+  return guest.abilities.asked_on_boundaries > 0 && guest.abilities.wrong_on_boundaries == 0;
+}
+
 /// Why the boundary of a shape is not judged.
 std::string why_no_boundary(const Subject& guest) {
   const auto& [wrong, asked] =
       std::pair(guest.abilities.wrong_on_boundaries, guest.abilities.asked_on_boundaries);
   if (asked == 0) return "no verdict was given there";
-  if (wrong == 0) return fmt::format("all {} verdicts there are right", asked);
   return fmt::format("{} of {} verdicts there are wrong, {}", wrong, asked,
                      guest.topic == "polygon"
                          ? "as those of a half-open one: of its sides some belong to it, as even and odd "
@@ -93,7 +97,8 @@ std::string not_judged(const Plan& plan, const Subject& guest, const Tally& tall
     const Property& property = properties()[p];
     if (!plan.is_wanted[p] || is_for_own_methods(property)) continue;
     std::string reason = left_out(guest, property);
-    if (is_one_of(property, {"boundary"}) && tally.properties[p].judged() == 0)
+    if (is_one_of(property, {"boundary"}) && tally.properties[p].judged() == 0 &&
+        !is_right_on_boundaries(guest))
       reason = why_no_boundary(guest);
     by_reason[reason].push_back(property.name);
   }
@@ -115,10 +120,16 @@ constexpr const char* never_judged =
     "arithmetic can hold\n";
 
 std::string judged(const Plan& plan, const Subject& guest, const Tally& tally) {
-  std::vector<std::string_view> names;
-  for (std::size_t p = 0; p < properties().size(); ++p)
-    if (plan.is_wanted[p] && tally.properties[p].judged() > 0 && left_out(guest, properties()[p]).empty())
-      names.push_back(properties()[p].name);
+  std::vector<std::string> names;
+  for (std::size_t p = 0; p < properties().size(); ++p) {
+    const Property& property = properties()[p];
+    if (!plan.is_wanted[p] || !left_out(guest, property).empty()) continue;
+    if (tally.properties[p].judged() > 0)
+      names.emplace_back(property.name);
+    else if (is_one_of(property, {"boundary"}) && is_right_on_boundaries(guest))
+      names.push_back(
+          fmt::format("boundary (all {} verdicts there are right)", guest.abilities.asked_on_boundaries));
+  }
   return names.empty() ? "" : fmt::format("  judged: {}\n", fmt::join(names, ", "));
 }
 

@@ -49,6 +49,9 @@ std::vector<Hypothesis> models_of_cylinders() {
             "t of a cap's plane has the wrong sign: it is (height - z) / d.z, and -z / d.z of the lower one"),
       gives("caps-from-outside-alone", caps_from_outside_alone,
             "a cap is hit from outside alone: a ray that leaves through it does not hit it"),
+      shown_by(passes_cap_near_rim,
+               gives("cap-rim-missed", cap_rim_missed,
+                     "hits on a cap near its rim are left out: the cap is narrower than the side")),
       gives("caps-as-diamonds", caps_as_diamonds,
             "a cap is hit where |x|/rx + |y|/ry <= 1, and must be where the squares add up to 1 at most"),
       following(
@@ -90,6 +93,16 @@ std::vector<Hypothesis> models_of_cylinders() {
       gives("direction-not-divided-by-radii", direction_not_divided_by_radii,
             "the side is right for a direction that is not divided by the radii: origin and direction both "
             "must be"),
+      gives_one_of(
+          "side-as-distance", side_as_distance,
+          "the side's t is not divided by the length of the direction, seen along the axis: that was "
+          "made a unit vector"),
+      gives_one_of(
+          "upper-cap-elsewhere", upper_cap_elsewhere,
+          "the plane of the upper cap lies at another height, its square, twice it, half of it or 0, "
+          "for all rays or for those that run upward"),
+      gives("no-height-missed", no_height_is_missed,
+            "a cylinder of height 0 is missed: it is valid, and an ellipse where it is capped"),
       gives("caps-where-side-missed", caps_where_side_missed,
             "the caps are hit only where the side is not hit at all: a ray may pass through both"),
       misses_zero("low-rim-missed", without_low_rim, "hits on the rim at z = 0 are left out: z > 0 is asked"),

@@ -92,6 +92,7 @@ enum class Fault {
   caps_never,
   circle,
   height_centred,
+  caps_narrower,
   // quadratic
   no_linear,
   division_by_2,  ///< the division by a is missing

@@ -108,6 +108,7 @@ inline const Planted planted[] = {
     {"cylinder", answer<caps_always>, "verdict", "caps-added"},
     {"cylinder", answer<caps_never>, "verdict", "caps-missing"},
     {"cylinder", answer<circle>, "verdict", "circle-rx"},
+    {"cylinder", answer<caps_narrower>, "verdict", "cap-rim-missed"},
     {"cylinder", answer<height_centred>, "verdict", "middle-at-zero"},
     {"cylinder", answer<segment>, "verdict", "segment"},
     {"quadratic", answer<no_linear>, "verdict", "linear-not-handled"},

@@ -117,7 +117,8 @@ template <class T>
     const bool is_new = std::ranges::none_of(found.hits, [t](const auto& hit) {
       return std::abs(hit.t - t) <= 64 * std::numeric_limits<T>::epsilon() * std::abs(t);
     });
-    if (c.capped && dot(q, q) <= 1 && is_new) found.hits.push_back({t, {0, 0, z == low ? -1 : 1}});
+    if (c.capped && dot(q, q) <= (fault == Fault::caps_narrower ? T(0.95) : T(1)) && is_new)
+      found.hits.push_back({t, {0, 0, z == low ? -1 : 1}});
   }
   std::ranges::sort(found.hits, {}, &FoundHits<T>::CodeHit::t);
   return found;

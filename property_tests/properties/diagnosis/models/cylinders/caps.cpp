@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "properties/diagnosis/examination/agreement.hpp"
+
 namespace rayproof::diagnosis {
 namespace {
 
@@ -126,6 +128,46 @@ Answers upper_cap_by_lower_point(const Case& one, const Answer& /*exact*/) {
 }
 Answers lower_cap_by_upper_point(const Case& one, const Answer& /*exact*/) {
   return caps_by_point_at(one, 1);
+}
+
+namespace {
+
+/// An exact hit on a cap.
+struct CapHit {
+  double t;
+  double share;  ///< of the outline's radius in that direction: 1 at the rim
+};
+
+std::vector<CapHit> hits_on_caps(const Case& one, const Answer& exact) {
+  std::vector<CapHit> found;
+  const auto* cylinder = shape_in<Cylinder<double>>(one);
+  if (cylinder == nullptr || !cylinder->capped) return found;
+  const Ray<double> ray = ray_in_object(*ray_question(one));
+  const std::vector<double> caps = hits_of_caps(one, *cylinder, is_in_ellipse);
+  for (const double hit : std::get<RayAnswer>(exact).hits.view()) {
+    const glm::dvec3 place = point_at(ray, hit);
+    if (std::ranges::any_of(caps, [&](double t) { return are_close(one.precision, hit, t, std::abs(t)); }))
+      found.push_back({hit, std::hypot(place.x / cylinder->rx, place.y / cylinder->ry)});
+  }
+  return found;
+}
+
+}  // namespace
+
+Answers cap_rim_missed(const Case& one, const Answer& exact) {
+  constexpr double near_rim = 0.9;
+  std::vector<CapHit> near = hits_on_caps(one, exact);
+  std::erase_if(near, [](const CapHit& hit) { return hit.share < near_rim; });
+  if (near.empty()) return {};
+  Answers answers{RayAnswer{}, exact};
+  for (const CapHit& hit : near)
+    answers.emplace_back(hits_where(std::get<RayAnswer>(exact), [&](double t) { return t != hit.t; }));
+  return answers;
+}
+
+bool passes_cap_near_rim(const Case& one, const Answer& exact) {
+  return std::ranges::any_of(hits_on_caps(one, exact),
+                             [](const CapHit& hit) { return hit.share < 1 - 0x1p-14; });
 }
 
 Answers caps_from_outside_alone(const Case& one, const Answer& /*exact*/) {

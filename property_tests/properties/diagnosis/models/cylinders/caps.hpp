@@ -26,6 +26,10 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers caps_outside_outline(const Case& one, const Answer& exact);
 [[nodiscard]] Answers caps_at_opposite_t(const Case& one, const Answer& exact);
 /// @}
+/// A hit on a cap may be left out near its rim, or the solid be missed there.
+[[nodiscard]] Answers cap_rim_missed(const Case& one, const Answer& exact);
+/// Whether a hit on a cap is farther from its rim than rounding can say.
+[[nodiscard]] bool passes_cap_near_rim(const Case& one, const Answer& exact);
 /// A ray that leaves through a cap does not hit it.
 [[nodiscard]] Answers caps_from_outside_alone(const Case& one, const Answer& exact);
 /// The upper cap is not looked at where the lower one is hit.

@@ -139,6 +139,12 @@ Answers missed_along_axis_inside(const Case& one, const Answer& exact) {
   return 0 < z && z < cylinder->height ? missed_along_axis(one, exact) : Answers{};
 }
 
+Answers no_height_is_missed(const Case& one, const Answer& exact) {
+  const auto* cylinder = shape_in<Cylinder<double>>(one);
+  const bool is_hit = cylinder != nullptr && cylinder->height == 0 && finds_something(exact);
+  return is_hit ? Answers{RayAnswer{}} : Answers{};
+}
+
 Answers missed_along_side(const Case& one, const Answer& exact) {
   if (shape_in<Cylinder<double>>(one) == nullptr || !finds_something(exact)) return {};
   const bool is_there = boundary_places(one).test(static_cast<std::size_t>(BoundaryPlace::along_side));
@@ -170,25 +176,6 @@ Answers no_upper_cap(const Case& one, const Answer& exact) { return without_hits
 
 Answers upper_end_not_tested(const Case& one, const Answer& /*exact*/) { return lengthened(one, true); }
 Answers lower_end_not_tested(const Case& one, const Answer& /*exact*/) { return lengthened(one, false); }
-
-Answers first_side_hit_decides(const Case& one, const Answer& exact) {
-  const auto* cylinder = shape_in<Cylinder<double>>(one);
-  if (cylinder == nullptr || cylinder->capped || std::get<RayAnswer>(exact).hits.count == 0) return {};
-  const std::vector<Case> endless = endless_cylinder(one);
-  if (endless.empty()) return {};
-  const RayAnswer side = hits_of_line(endless.front());
-  if (side.hits.count < 2) return {};
-  const Ray<double> ray = ray_in_object(*ray_question(one));
-  const auto is_off = [&](double t) {
-    const double z = ray.origin.z + t * ray.direction.z;
-    return !(0 <= z && z <= cylinder->height);
-  };
-  const auto hits = side.hits.view();
-  const auto first = std::ranges::find_if(hits, [&](double t) { return in_interval(ray, t); });
-  if (first != hits.end() && is_off(*first)) return {RayAnswer{}};
-  // Who takes the line's first hit, be it before t_min, misses here, too.
-  return is_off(hits.front()) ? Answers{RayAnswer{}, exact} : Answers{};
-}
 
 Answers without_low_rim(const Case& one, const Answer& exact) {
   return without_heights(one, exact, [](double z, double height) { return is_zero(z, height); });

@@ -23,9 +23,6 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers lower_end_not_tested(const Case& one, const Answer& exact);
 /// @}
 
-/// Of the hits of the side without end only the first is compared with the height.
-[[nodiscard]] Answers first_side_hit_decides(const Case& one, const Answer& exact);
-
 /// @{ Hits of an open cylinder exactly at an end, or at either, are left out.
 [[nodiscard]] Answers without_low_rim(const Case& one, const Answer& exact);
 [[nodiscard]] Answers without_high_rim(const Case& one, const Answer& exact);
@@ -42,6 +39,9 @@ void lift(RayQuestion& asked, double by);
 [[nodiscard]] Answers missed_along_axis(const Case& one, const Answer& exact);
 [[nodiscard]] Answers missed_along_axis_inside(const Case& one, const Answer& exact);
 /// @}
+
+/// A capped cylinder of no height, which is an ellipse, is missed.
+[[nodiscard]] Answers no_height_is_missed(const Case& one, const Answer& exact);
 
 /// A ray in the side of a capped cylinder, which runs along the axis from rim to rim, is missed.
 [[nodiscard]] Answers missed_along_side(const Case& one, const Answer& exact);

@@ -54,6 +54,55 @@ Answers first_side_root_alone(const Case& one, const Answer& /*exact*/) {
   return first == roots.end() ? Answers{} : with_side_hits(one, {*first});
 }
 
+Answers first_side_hit_decides(const Case& one, const Answer& exact) {
+  const auto* cylinder = shape_in<Cylinder<double>>(one);
+  const std::vector<double> roots = roots_of_side(one);
+  if (roots.empty() || cylinder->capped || !finds_something(exact)) return {};
+  const Ray<double> ray = ray_in_object(*ray_question(one));
+  const auto is_off = [&](double t) {
+    const double z = ray.origin.z + t * ray.direction.z;
+    return !(0 <= z && z <= cylinder->height);
+  };
+  const auto first = std::ranges::find_if(roots, [&](double t) { return in_interval(ray, t); });
+  if (first != roots.end() && is_off(*first)) return {RayAnswer{}};
+  // Who takes the line's first hit, be it before t_min, misses here, too.
+  return is_off(roots.front()) ? Answers{RayAnswer{}, exact} : Answers{};
+}
+
+Answers side_as_distance(const Case& one, const Answer& /*exact*/) {
+  const std::vector<double> roots = roots_of_side(one);
+  if (roots.empty()) return {};
+  const auto& cylinder = *shape_in<Cylinder<double>>(one);
+  const Ray<double> ray = ray_in_object(*ray_question(one));
+  const double in_radii = std::sqrt(reduced_equation(one)->a),
+               in_lengths = glm::length(glm::dvec2(ray.direction));
+  Answers answers;
+  for (const double length : {in_radii, in_lengths, in_radii * cylinder.rx}) {
+    const std::vector<double> side{length * roots[0], length * roots[1]};
+    answers.push_back(with_side_hits(one, side).front());
+    answers.emplace_back(between_ends(one, side[0], side[1], cylinder.height));
+  }
+  return answers;
+}
+
+Answers upper_cap_elsewhere(const Case& one, const Answer& exact) {
+  const auto* cylinder = shape_in<Cylinder<double>>(one);
+  if (cylinder == nullptr || !cylinder->capped) return {};
+  const Ray<double> ray = ray_in_object(*ray_question(one));
+  std::vector<double> side = roots_of_side(one);
+  if (side.empty() && !reduced_equation(one) && is_in_ellipse(ray.origin.x, ray.origin.y, *cylinder))
+    side = {-infinity<double>, infinity<double>};
+  if (side.empty()) return {};
+  Answers answers;
+  for (const double upper :
+       {cylinder->height * cylinder->height, 2 * cylinder->height, cylinder->height / 2, 0.0}) {
+    const RayAnswer solid = between_ends(one, side[0], side[1], upper);
+    for (const bool is_for_all : {true, false})
+      answers.push_back(is_for_all || ray.direction.z > 0 ? Answer{solid} : exact);
+  }
+  return answers;
+}
+
 Answers side_without_ends(const Case& one, const Answer& /*exact*/) {
   return with_side_ends(one, {infinity<double>, infinity<double>});
 }

@@ -22,6 +22,17 @@ namespace rayproof::diagnosis {
 /// The side goes on without end upwards, or downwards, and the caps are where they should be.
 [[nodiscard]] Answers side_goes_on(const Case& one, bool is_upwards);
 
+/// Of the side's hits without end, in an open cylinder, only the first is compared with the height.
+[[nodiscard]] Answers first_side_hit_decides(const Case& one, const Answer& exact);
+
+/// The side's t is a distance: the direction was made a unit vector, seen along the axis, in radii or in
+/// lengths, and t is not divided by its length. An answer for each such mistake, always in the same order.
+[[nodiscard]] Answers side_as_distance(const Case& one, const Answer& exact);
+
+/// The plane of the upper cap lies at another height: its square, twice it, half of it, 0; for all rays, or
+/// for those alone that run upward. An answer for each such mistake, always in the same order.
+[[nodiscard]] Answers upper_cap_elsewhere(const Case& one, const Answer& exact);
+
 /// The height of a hit on the side is that of the point in the world, and must be the one in object space.
 [[nodiscard]] Answers side_by_height_in_world(const Case& one, const Answer& exact);
 
