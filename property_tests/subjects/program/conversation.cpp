@@ -179,6 +179,8 @@ std::string Conversation::trouble(RoundEnd ending) {
                        static_cast<double>(program_->patience_of_case().count()) / 1000);
   if (ending == RoundEnd::silence && !received_.empty())
     text += fmt::format("; it wrote {} bytes without the end of a line", received_.size());
+  if (const std::string end = ending == RoundEnd::silence ? child_.how_it_ended() : ""; !end.empty())
+    text += fmt::format("; it {}, and a process that it has started holds its output open", end);
   if (ending == RoundEnd::closed) {
     text = child_.how_it_ended();
     if (text.empty()) text = "closed its output";

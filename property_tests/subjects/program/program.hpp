@@ -48,9 +48,11 @@ class Program {
   /// It has answered a case twice: from now on it pays to wait for that.
   void note_repeat() { has_repeated_ = true; }
   [[nodiscard]] bool repeats() const { return has_repeated_; }
-  /// It has answered all that it was asked, with its input open: it does not hold answers back.
+  /// It has answered all that it was asked, with its input open: it holds answers back seldom, if at all.
   void note_complete_round() { has_completed_ = true; }
-  [[nodiscard]] bool may_hold_back() const { return !has_completed_; }
+  /// Whether it is worth the time to see if it answers once its input is closed: of one that has answered all
+  /// before, once, since it may flush so many lines at a time.
+  [[nodiscard]] bool may_hold_back() { return !has_completed_ || !was_seen_silent_.exchange(true); }
   /// Something went wrong, and this time was lost to it; `count` cases have no answer for that.
   void note_trouble(std::size_t count, Clock::duration lost, bool is_silence);
   /// It has written this many bytes more to standard error; false where it is too much to go on.
@@ -72,7 +74,7 @@ class Program {
   const std::atomic<bool>* stop_;
   std::atomic<std::uint64_t> next_id_{1}, answers_{0}, troubles_{0}, silences_{0}, error_bytes_{0};
   std::atomic<std::int64_t> lost_{0}, slowest_start_{0};  ///< in milliseconds
-  std::atomic<bool> is_given_up_{false}, has_repeated_{false}, has_completed_{false};
+  std::atomic<bool> is_given_up_{false}, has_repeated_{false}, has_completed_{false}, was_seen_silent_{false};
   std::mutex mutex_{};
   std::string why_{};
 };

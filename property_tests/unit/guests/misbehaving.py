@@ -2,6 +2,7 @@
 
 import json
 import os
+import subprocess
 import sys
 import time
 
@@ -92,6 +93,20 @@ def never_flushes():
         sys.stdout.write(reply(case) + "\n")
 
 
+def flushes_seldom():
+    """Every 200 lines, so that many a question is answered in full."""
+    for count, case in enumerate(cases()):
+        sys.stdout.write(reply(case) + "\n")
+        if count % 200 == 199:
+            sys.stdout.flush()
+
+
+def leave_child(_):
+    """Ends, and a process that it has started goes on with its output."""
+    subprocess.Popen(["sleep", "1000"])
+    os._exit(3)
+
+
 def unsupported():
     for case in cases():
         say(json.dumps({"id": case["id"], "unsupported": True}))
@@ -140,6 +155,8 @@ FAULTS = {
     "out_of_order": out_of_order,
     "close_output": closes_output,
     "never_flush": never_flushes,
+    "flush_seldom": flushes_seldom,
+    "leave_child": lambda: on_chosen(leave_child),
     "endless_line": endless_line,
     "complain": lambda: complains(200000),
     "complain_endlessly": lambda: complains(8000000),

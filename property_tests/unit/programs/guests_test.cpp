@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -32,7 +33,8 @@ class Guests : public testing::Test {
   /// The same of misbehaving.py with that fault. Where silence is to be found it is short; else the machine
   /// may be busy.
   [[nodiscard]] Ended check_fault(const std::string& fault) const {
-    const bool is_silent = fault == "hang" || fault == "late" || fault == "leave_out" || fault == "hang_once";
+    constexpr std::array silent{"hang", "late", "leave_out", "hang_once", "flush_seldom", "leave_child"};
+    const bool is_silent = std::ranges::find(silent, fault) != silent.end();
     return check(
         "python3 " + programs + "misbehaving.py " + fault,
         std::string("--shape sphere --precision float64 --family random,transformed --case-seconds ") +
@@ -130,6 +132,13 @@ TEST_F(Guests, WhoNeverEndsALineIsOneFinding) {
   expect_protocol("endless_line", "without the end of a line");
 }
 TEST_F(Guests, WhoNeverFlushesLearnsThat) { expect_protocol("never_flush", "each line must be flushed"); }
+
+TEST_F(Guests, WhoFlushesSeldomLearnsThatToo) {
+  expect_protocol("flush_seldom", "each line must be flushed");
+}
+TEST_F(Guests, WhoEndsAndLeavesAProcessWithItsOutputIsSaidTo) {
+  expect_chosen("leave_child", "ended with exit status 3, and a process that it has started");
+}
 
 TEST_F(Guests, StandardErrorMayBeLongAndNotEndless) {
   EXPECT_EQ(check_fault("complain").status, 0);
