@@ -1,10 +1,12 @@
 /// \file
 /// Faults with cylinders.
 
+#include "properties/diagnosis/models/cylinders/cap_outlines.hpp"
 #include "properties/diagnosis/models/cylinders/caps.hpp"
 #include "properties/diagnosis/models/cylinders/ends.hpp"
 #include "properties/diagnosis/models/cylinders/readings.hpp"
 #include "properties/diagnosis/models/cylinders/side.hpp"
+#include "properties/diagnosis/models/cylinders/side_equation.hpp"
 #include "properties/diagnosis/models/solids/solid.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 
@@ -101,6 +103,10 @@ std::vector<Hypothesis> models_of_cylinders() {
           "upper-cap-elsewhere", upper_cap_elsewhere,
           "the plane of the upper cap lies at another height, its square, twice it, half of it or 0, "
           "for all rays or for those that run upward"),
+      gives_one_of(
+          "side-chord-undivided", side_chord_undivided,
+          "the chord of the side, seen along the axis, is not divided by the direction's length there: "
+          "of a unit direction that is the sine of its angle to the axis"),
       gives("no-height-missed", no_height_is_missed,
             "a cylinder of height 0 is missed: it is valid, and an ellipse where it is capped"),
       gives("caps-where-side-missed", caps_where_side_missed,

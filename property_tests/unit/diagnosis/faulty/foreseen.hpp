@@ -103,6 +103,7 @@ inline constexpr Foreseen foreseen_faults[] = {
     {"cylinder", "no-height-missed"},
     {"cylinder", "side-as-distance"},
     {"cylinder", "upper-cap-elsewhere"},
+    {"cylinder", "side-chord-undivided"},
     {"cylinder", "radii-rooted"},
     {"parallelepiped", "half-endless-edge-1"},
     {"quadratic", "rounded-down"},

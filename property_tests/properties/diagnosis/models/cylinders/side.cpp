@@ -5,31 +5,21 @@
 #include <utility>
 
 #include "properties/claims/answers.hpp"
-#include "properties/diagnosis/models/curved/root_formula.hpp"
 #include "properties/diagnosis/models/cylinders/caps.hpp"
 
 namespace rayproof::diagnosis {
-namespace {
 
 std::vector<double> listed(const FoundRoots& roots) {
   return roots ? std::vector<double>(roots->begin(), roots->end()) : std::vector<double>{};
 }
 
-/// The roots of the equation, ascending; none where it has none.
-std::vector<double> roots_of(const ReducedEquation& equation) {
-  return listed(roots_by(-equation.h, equation.discriminant(), equation.a));
-}
-
-/// Those of the side without end; none where the line passes it by, or of another shape.
 std::vector<double> roots_of_side(const Case& one) {
   const auto equation = shape_in<Cylinder<double>>(one) == nullptr ? std::nullopt : reduced_equation(one);
-  return equation ? roots_of(*equation) : std::vector<double>{};
+  return equation ? listed(roots_by(-equation->h, equation->discriminant(), equation->a))
+                  : std::vector<double>{};
 }
 
-/// What a subject answers that takes that equation for the side's.
-Answers with_side_of(const Case& one, const ReducedEquation& equation) {
-  return with_side_hits(one, roots_of(equation));
-}
+namespace {
 
 Answers with_root(const Case& one, std::size_t which) {
   const std::vector<double> roots = roots_of_side(one);
@@ -67,22 +57,6 @@ Answers first_side_hit_decides(const Case& one, const Answer& exact) {
   if (first != roots.end() && is_off(*first)) return {RayAnswer{}};
   // Who takes the line's first hit, be it before t_min, misses here, too.
   return is_off(roots.front()) ? Answers{RayAnswer{}, exact} : Answers{};
-}
-
-Answers side_as_distance(const Case& one, const Answer& /*exact*/) {
-  const std::vector<double> roots = roots_of_side(one);
-  if (roots.empty()) return {};
-  const auto& cylinder = *shape_in<Cylinder<double>>(one);
-  const Ray<double> ray = ray_in_object(*ray_question(one));
-  const double in_radii = std::sqrt(reduced_equation(one)->a),
-               in_lengths = glm::length(glm::dvec2(ray.direction));
-  Answers answers;
-  for (const double length : {in_radii, in_lengths, in_radii * cylinder.rx}) {
-    const std::vector<double> side{length * roots[0], length * roots[1]};
-    answers.push_back(with_side_hits(one, side).front());
-    answers.emplace_back(between_ends(one, side[0], side[1], cylinder.height));
-  }
-  return answers;
 }
 
 Answers upper_cap_elsewhere(const Case& one, const Answer& exact) {
@@ -125,36 +99,6 @@ Answers side_by_height_in_world(const Case& one, const Answer& /*exact*/) {
 
 Answers side_goes_on(const Case& one, bool is_upwards) {
   return with_side_ends(one, is_upwards ? SideEnds{0, infinity<double>} : SideEnds{infinity<double>, 0});
-}
-
-Answers side_constant_wrong(const Case& one, const Answer& /*exact*/) {
-  const auto* cylinder = shape_in<Cylinder<double>>(one);
-  const auto equation = cylinder == nullptr ? std::nullopt : reduced_equation(one);
-  Answers answers;
-  if (!equation) return answers;
-  const auto& [rx, ry, height, capped] = *cylinder;
-  for (const double constant : {rx, ry, rx * rx, ry * ry, rx * ry, 0.0})
-    answers.push_back(with_side_of(one, {equation->a, equation->h, equation->c + 1 - constant}).front());
-  return answers;
-}
-
-Answers side_with_z_of_direction(const Case& one, const Answer& /*exact*/) {
-  const auto equation = shape_in<Cylinder<double>>(one) == nullptr ? std::nullopt : reduced_equation(one);
-  Answers answers;
-  if (!equation) return answers;
-  const double z = ray_in_object(*ray_question(one)).direction.z;
-  const double a = equation->a + z * z, h = equation->h;
-  for (const double D : {h * h - a * equation->c, equation->discriminant() + z * z})
-    answers.push_back(with_side_hits(one, listed(roots_by(-h, D, a))).front());
-  return answers;
-}
-
-Answers direction_not_divided_by_radii(const Case& one, const Answer& /*exact*/) {
-  const auto* cylinder = shape_in<Cylinder<double>>(one);
-  if (cylinder == nullptr) return {};
-  const Ray<double> ray = ray_in_object(*ray_question(one));
-  const glm::dvec2 o = glm::dvec2(ray.origin) / glm::dvec2(cylinder->rx, cylinder->ry), d(ray.direction);
-  return with_side_of(one, {glm::dot(d, d), glm::dot(o, d), glm::dot(o, o) - 1});
 }
 
 Answers caps_where_side_missed(const Case& one, const Answer& exact) {
