@@ -45,7 +45,7 @@ Answers with_side_hits(const Case& one, std::vector<double> side, const SideEnds
   return {in_order(one, std::move(side))};
 }
 
-std::optional<CylinderHits> parts_of(const Case& one, IsInCap is_in_cap) {
+std::optional<HitsOfParts> parts_of(const Case& one, IsInCap is_in_cap) {
   const auto* cylinder = shape_in<Cylinder<double>>(one);
   if (cylinder == nullptr || !cylinder->capped) return std::nullopt;
   const auto open = with_shape<Cylinder<double>>(one, [](RayQuestion& /*asked*/, Cylinder<double>& changed) {
@@ -53,7 +53,7 @@ std::optional<CylinderHits> parts_of(const Case& one, IsInCap is_in_cap) {
     return true;
   });
   if (open.empty()) return std::nullopt;
-  CylinderHits parts;
+  HitsOfParts parts;
   const RayAnswer of_side = hits_of_line(open.front());
   parts.side.assign(of_side.hits.view().begin(), of_side.hits.view().end());
   parts.caps = hits_of_caps(one, *cylinder, is_in_cap);

@@ -21,11 +21,11 @@ using IsInCap = bool (*)(double x, double y, const Cylinder<double>& cylinder);
 }
 
 /// The hits on the side and those on the caps, both ascending, of the whole line through a capped cylinder.
-struct CylinderHits {
+struct HitsOfParts {
   std::vector<double> side, caps;
 };
 /// Those where the caps are these; nothing for an open cylinder or another shape.
-[[nodiscard]] std::optional<CylinderHits> parts_of(const Case& one, IsInCap is_in_cap);
+[[nodiscard]] std::optional<HitsOfParts> parts_of(const Case& one, IsInCap is_in_cap);
 
 /// The hits in the ray's interval, ascending, as many as an answer holds.
 [[nodiscard]] RayAnswer in_order(const Case& one, std::vector<double> hits);
