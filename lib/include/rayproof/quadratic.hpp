@@ -47,7 +47,7 @@ template <class T>
     const T root = is_lo ? roots.lo : roots.hi;
     return {RootKind::linear, is_lo || abs(root) < infinity<T> ? 1U : 0U, {root}};
   }
-  const bool are_numbers = roots.lo <= roots.hi;
+  const bool are_numbers = roots.lo == roots.lo && roots.hi == roots.hi;
   if (roots.discriminant > 0) return {RootKind::two, are_numbers ? 2U : 0U, {roots.lo, roots.hi}};
   if (roots.discriminant == 0) return {RootKind::twice, are_numbers ? 1U : 0U, {roots.lo}};
   return {RootKind::none};

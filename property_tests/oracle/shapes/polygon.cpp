@@ -77,9 +77,10 @@ class PolygonIntersection final : public OutlinedIntersection {
   [[nodiscard]] std::array<Scaled, 3> normal_sizes() const override {
     return {normal_size_of<Scaled>(polygon_)};
   }
-  /// As large as seen from any of its vertices.
+  /// As large as seen from any of its vertices; of a long sum each product is rounded with what is before it.
   [[nodiscard]] Scaled size_of_products() const override {
-    return Scaled(static_cast<double>(polygon_.vertices.size())) * reach() * reach();
+    const auto count = static_cast<double>(polygon_.vertices.size());
+    return Scaled(count * std::max(1.0, count / 64)) * reach() * reach();
   }
 
  private:

@@ -71,6 +71,7 @@ inline constexpr Foreseen foreseen_faults[] = {
     {"cylinder", "upper-end-not-tested"},
     {"cylinder", "lower-end-not-tested"},
     {"cylinder", "first-side-hit-decides"},
+    {"cylinder", "near-height-decides"},
     {"cylinder", "cylinder-as-box"},
     {"sphere", "nearest-twice"},
     {"sphere", "farthest-twice"},

@@ -72,6 +72,15 @@ TYPED_TEST(FullRangeOf, HasNoRootForNaN) {
   EXPECT_EQ(this->solve(nan, 1, 0).count, 0U);
 }
 
+// By hand, planted in the textbook's formula: no property had anything to see where they were left out.
+TEST(RootsOutOfOrder, AreGivenAsTheyStand) {
+  const auto answer = read(Quadratic<double>{-1, 3, -2}, Roots<double>{1, 2, 1});
+  EXPECT_EQ(answer.kind, RootKind::two);
+  ASSERT_EQ(answer.count, 2U);
+  EXPECT_EQ(answer.roots[0], 2);
+  EXPECT_EQ(answer.roots[1], 1);
+}
+
 TEST(Cancellation, CostsTheTextbookFormulaItsSmallRootAndNotTheStableOnes) {
   const Quadratic<float> q{1, 1e4F, 1};  // roots near -1e4 and -1e-4
   EXPECT_EQ(Textbook::roots(q).hi, 0);

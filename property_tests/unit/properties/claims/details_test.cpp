@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "case/reader.hpp"
+#include "generators/random.hpp"
 #include "unit/properties/broken_subjects.hpp"
 
 namespace rayproof {
@@ -57,6 +59,33 @@ TEST(DetailsProperties, ANormalOnTheWrongSideLeftOutOrTooLongIsNoticed) {
   EXPECT_EQ(rule("normal", on_ellipsoid, [](RayAnswer& answer) { answer.normal.reset(); }), Ruling::broken);
   EXPECT_EQ(rule("normal", on_ellipsoid, [](RayAnswer& answer) { *answer.normal *= 1.00001; }),
             Ruling::broken);
+}
+
+/// A triangle walked round many times, the ray through its middle.
+Case walked_round(int times, std::uint64_t seed) {
+  Random random(seed);
+  const auto vertex = [&] {
+    return glm::dvec3{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+  };
+  const std::array corners{vertex(), vertex(), vertex()};
+  Polygon<double> polygon;
+  for (int k = 0; k < times; ++k)
+    polygon.vertices.insert(polygon.vertices.end(), corners.begin(), corners.end());
+  const glm::dvec3 origin = vertex(), middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+  const RayQuestion asked{.ray = {.origin = origin, .direction = middle - origin}, .shape = polygon};
+  return {.precision = Precision::float64, .question = asked};
+}
+
+// By hand: the bound did not grow with the number of vertices where the normal does, too.
+TEST(DetailsProperties, TheNormalOfAPolygonThatWindsManyTimesKeepsItsBound) {
+  int held = 0;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    Trial trial(*find_subject("polygon/winding"), walked_round(301, seed));
+    const Ruling ruling = find_property("normal")->rule(trial);
+    EXPECT_NE(ruling, Ruling::broken) << seed;
+    held += ruling == Ruling::held ? 1 : 0;
+  }
+  EXPECT_GE(held, 90) << "some may pass beside a sliver";
 }
 
 TEST(DetailsProperties, ANormalThatTheMapTookAlongInPlaceOfItsInverseIsNoticed) {

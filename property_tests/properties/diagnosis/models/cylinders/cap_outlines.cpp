@@ -14,7 +14,13 @@ Answers with_caps_where(const Case& one, IsInCap is_in_cap) {
   if (!parts) return {};
   std::vector<double> all = parts->side;
   all.insert(all.end(), parts->caps.begin(), parts->caps.end());
-  return {in_order(one, all)};
+  // Who looks for the solid's first hit alone there leaves off where that is on a cap which is not found, and
+  // finds its last one wherever that is.
+  std::vector<double> real = hits_of_caps(one, *shape_in<Cylinder<double>>(one), is_in_ellipse);
+  const bool is_entry_lost = std::ranges::any_of(
+      real, [&](double t) { return std::ranges::none_of(all, [t](double found) { return found <= t; }); });
+  real.insert(real.end(), parts->side.begin(), parts->side.end());
+  return {in_order(one, all), is_entry_lost ? RayAnswer{} : in_order(one, real)};
 }
 
 }  // namespace

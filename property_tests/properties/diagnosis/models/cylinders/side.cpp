@@ -59,6 +59,14 @@ Answers first_side_hit_decides(const Case& one, const Answer& exact) {
   return is_off(roots.front()) ? Answers{RayAnswer{}, exact} : Answers{};
 }
 
+Answers near_height_decides(const Case& one, const Answer& /*exact*/) {
+  const std::vector<double> roots = roots_of_side(one);
+  if (roots.empty()) return {};
+  const double z = point_at(ray_in_object(*ray_question(one)), roots[0]).z;
+  const bool is_kept = 0 <= z && z <= shape_in<Cylinder<double>>(one)->height;
+  return with_side_hits(one, is_kept ? roots : std::vector<double>{}, {infinity<double>, infinity<double>});
+}
+
 Answers upper_cap_elsewhere(const Case& one, const Answer& exact) {
   const auto* cylinder = shape_in<Cylinder<double>>(one);
   if (cylinder == nullptr || !cylinder->capped) return {};

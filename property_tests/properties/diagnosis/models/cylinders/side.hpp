@@ -30,6 +30,9 @@ namespace rayproof::diagnosis {
 /// Of the side's hits without end, in an open cylinder, only the first is compared with the height.
 [[nodiscard]] Answers first_side_hit_decides(const Case& one, const Answer& exact);
 
+/// Of the side's two hits without end the height of the nearer one decides for both.
+[[nodiscard]] Answers near_height_decides(const Case& one, const Answer& exact);
+
 /// The plane of the upper cap lies at another height: its square, twice it, half of it, 0; for all rays, or
 /// for those alone that run upward. An answer for each such mistake, always in the same order.
 [[nodiscard]] Answers upper_cap_elsewhere(const Case& one, const Answer& exact);
