@@ -2,6 +2,7 @@
 /// Faults in what is said of the first hit, and classes of cases that are not handled.
 
 #include "properties/diagnosis/models/curved/quadratic.hpp"
+#include "properties/diagnosis/models/curved/shortcuts.hpp"
 #include "properties/diagnosis/models/cylinders/normals.hpp"
 #include "properties/diagnosis/models/first_hit/normals.hpp"
 #include "properties/diagnosis/models/first_hit/points.hpp"
@@ -196,6 +197,8 @@ std::vector<Hypothesis> classes_of_cases() {
       shows("zero-slope-hit", zero_slope_is_hit,
             "a ray along the plane, or a figure without area, is reported as a hit: a division by 0 is not "
             "kept from"),
+      shows("sum-zero-not-handled", wrong_where_sum_is_zero,
+            "equations with a + b + c = 0, which have a root 1, are not handled"),
       shows("in-surface-hit", in_surface_is_hit, "a ray that runs inside the surface is reported as a hit",
             boundary),
       vague(shows(
