@@ -101,6 +101,14 @@ std::vector<Hypothesis> models_of_first_hits() {
           "the normal is that of the face along the axis in which the point is farthest from the middle: the "
           "distance must be divided by half the box's size along that axis",
           gross, Aspect::normal),
+      shows(
+          "normal-signed-by-origin", normal_signed_by_origin,
+          "the normal is turned round where the ray begins on the face by which it enters, or beyond it: its "
+          "sign is that of the origin's side, and must be against the direction",
+          gross, Aspect::normal),
+      gives("normal-of-entry-axis", normal_of_entry_axis,
+            "where the ray leaves the normal is along the axis of the face by which its line enters", gross,
+            Aspect::normal),
       gives("normal-from-middle", normal_from_middle,
             "the normal points from the middle of the solid, as a sphere's", gross, Aspect::normal),
       gives("normal-without-signs", normal_without_signs,
