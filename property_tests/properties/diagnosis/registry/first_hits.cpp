@@ -159,6 +159,9 @@ std::vector<Hypothesis> models_of_first_hits() {
       gives("point-from-shape", point_from_shape,
             "the point is given from the shape's centre, corner or first vertex, which is not added", gross,
             Aspect::point),
+      gives("point-at-radius-one", point_at_radius_one,
+            "the point is the centre plus the normal, and must be plus the normal times the radius", gross,
+            Aspect::point),
       gives("point-of-far-hit", point_of_far_hit, "the point is the far hit's", gross, Aspect::point),
       shows("point-moved", point_moved_along_normal,
             "the point is moved off the surface along the normal, as an origin of the next ray is", gross,
@@ -167,9 +170,6 @@ std::vector<Hypothesis> models_of_first_hits() {
             "the point does not lie on the ray's line: it is no o + t·d", gross, Aspect::point),
       gives("barycentric-acb", in_order<0, 2, 1>, "the barycentric coordinates stand in the order of a, c, b",
             gross, Aspect::coordinates),
-      gives("point-at-radius-one", point_at_radius_one,
-            "the point is the centre plus the normal, and must be plus the normal times the radius", gross,
-            Aspect::point),
       gives("barycentric-bac", in_order<1, 0, 2>, "the barycentric coordinates stand in the order of b, a, c",
             gross, Aspect::coordinates),
       gives("barycentric-bca", in_order<1, 2, 0>, "the barycentric coordinates stand in the order of b, c, a",
@@ -197,6 +197,8 @@ std::vector<Hypothesis> classes_of_cases() {
       shows("no-constant-not-handled", wrong_where_c_is_zero,
             "equations with c = 0, which have a root 0, are not handled"),
       shows("no-linear-term-not-handled", wrong_where_b_is_zero, "equations with b = 0 are not handled"),
+      shows("sum-zero-not-handled", wrong_where_sum_is_zero,
+            "equations with a + b + c = 0, which have a root 1, are not handled"),
       shows("square-alone-not-handled", wrong_where_square, "equations ax² = 0 are not handled"),
       shows("everything-not-handled", wrong_where_all_is_zero, "the equation 0 = 0 is not handled", boundary),
       following("linear-not-handled", shows("constant-not-handled", wrong_where_constant,
@@ -208,8 +210,6 @@ std::vector<Hypothesis> classes_of_cases() {
       shows("zero-slope-hit", zero_slope_is_hit,
             "a ray along the plane, or a figure without area, is reported as a hit: a division by 0 is not "
             "kept from"),
-      shows("sum-zero-not-handled", wrong_where_sum_is_zero,
-            "equations with a + b + c = 0, which have a root 1, are not handled"),
       shows("in-surface-hit", in_surface_is_hit, "a ray that runs inside the surface is reported as a hit",
             boundary),
       vague(shows(
@@ -225,11 +225,10 @@ std::vector<Hypothesis> classes_of_cases() {
       shows("is-zero", is_all_zero, zero_in_words),
       vague(shows("is-infinite", is_infinite,
                   "a number of the answer is infinite: a division by 0 is not kept from")),
-      strictly(gives("never-hits", never_hits, "it finds nothing on any case tried")),
+      strictly(gives("never-hits", never_hits,
+                     "every case tried misses, says the subject: nothing is ever found")),
       shows("roots-not-sorted", not_sorted<Quadratic<double>>,
             "the roots are right, and do not always stand in ascending order: they are not sorted"),
-      vague(shows("always-hits", always_hits,
-                  "it finds something on every case tried, even where there is nothing")),
   };
 }
 
