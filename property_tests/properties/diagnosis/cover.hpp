@@ -40,6 +40,7 @@ class Cover {
   [[nodiscard]] bool is_most_somewhere(const Candidate& candidate) const;
   [[nodiscard]] bool shows_in_numbers(const Candidate& candidate) const;
   [[nodiscard]] bool is_named(const Hypothesis& cause) const;
+  [[nodiscard]] bool never_finds() const;
   [[nodiscard]] double weight_of_common(const Candidate& one, const std::vector<Indices>& others) const;
   [[nodiscard]] Candidate* model_of(const Candidate& cure, std::vector<Candidate>& candidates) const;
   void name_by_models(std::vector<Candidate>& candidates) const;

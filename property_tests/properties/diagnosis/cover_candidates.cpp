@@ -11,8 +11,10 @@ namespace rayproof::diagnosis {
 /// to the cases of all complaints contradict is left out.
 std::vector<Cover::Candidate> Cover::candidates() const {
   std::vector<Candidate> all;
+  const bool finds_none = never_finds();
   for (const Hypothesis& cause : hypotheses()) {
-    if (!is_named(cause)) continue;
+    const bool says_so = cause.name == "never-hits" || cause.name == "radius-square-added";
+    if (finds_none ? !says_so : !is_named(cause)) continue;
     Candidate candidate{&cause};
     const Examination::Mistake mistake = common_mistake(cause);
     std::size_t explained = 0, contradictions = 0;
@@ -93,6 +95,18 @@ bool Cover::is_named(const Hypothesis& cause) const {
     return !(sheet.counts_digits && breaks_more_than_digits(cause)) &&
            std::ranges::count(sheet.named, &cause) > 0;
   });
+}
+
+/// Whether the subject finds nothing in any of many cases. Whatever foresees misses explains most of them
+/// then, and no more is known.
+bool Cover::never_finds() const {
+  constexpr std::size_t many = 128;
+  std::size_t count = 0;
+  for (const Sheet& sheet : sheets_) {
+    if (!sheet.examination->never_finds()) return false;
+    count += sheet.examination->failing_count() + sheet.examination->passing_count();
+  }
+  return count >= many;
 }
 
 /// How many cases of the run are explained by the candidate and are among the others.

@@ -5,6 +5,7 @@ namespace rayproof {
 const std::vector<HypothesisTable>& hypothesis_tables() {
   using namespace diagnosis;
   static const std::vector<HypothesisTable> all{
+      {"Every case answered alike", models_of_all_alike()},
       {"Projections of flat figures", models_of_projections()},
       {"Rays along the axis of a cylinder", models_of_axis_rays()},
       {"Interval and list of hits", models_of_hits()},

@@ -7,6 +7,7 @@
 namespace rayproof::diagnosis {
 
 /// @{ Each hypothesis is one line of one of these.
+[[nodiscard]] std::vector<Hypothesis> models_of_all_alike();
 [[nodiscard]] std::vector<Hypothesis> models_of_hits();
 [[nodiscard]] std::vector<Hypothesis> models_of_limits();
 [[nodiscard]] std::vector<Hypothesis> models_of_numbers();

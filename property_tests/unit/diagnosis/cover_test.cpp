@@ -56,6 +56,14 @@ TEST(Cover, ExplainsAWrongNormalByTheReadingThatExplainsTheHits) {
             Causes{"corner-negated"});
 }
 
+Answer always_misses(const Case& /*one*/) { return RayAnswer{}; }
+
+TEST(Cover, SaysOfWhoFindsNothingThatAloneThoughManyAModelForeseesMisses) {
+  EXPECT_EQ(causes_of("box", always_misses), Causes{"never-hits"});
+  EXPECT_EQ(causes_of("triangle", always_misses), Causes{"never-hits"});
+  EXPECT_EQ(causes_of("sphere", always_misses), Causes{"radius-square-added"});
+}
+
 /// It finds no hit with t below 1e-2, and none at 0.
 Answer beyond_epsilon(const Case& one) {
   Answer answer = oracle::answer(one);

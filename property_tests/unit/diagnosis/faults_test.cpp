@@ -213,10 +213,10 @@ Answer with_discriminant_in_float(const Case& one) {
   return answer;
 }
 
-TEST(Diagnosis, FindsAFloatOnTheWayThoughTCancels) {
+TEST(Diagnosis, FindsADiscriminantInAFloatThoughTCancels) {
   const Subject subject = subject_of("sphere", with_discriminant_in_float);
   const std::string found = in_words(faults_of(subject, *find_property("residual"), Precision::float64));
-  EXPECT_TRUE(found.starts_with("float-on-the-way ")) << found;
+  EXPECT_TRUE(found.starts_with("discriminant-in-float ")) << found;
 }
 
 TEST(Diagnosis, TakesWhatMissesZeroForAPartOfWhatMissesSmallNumbers) {

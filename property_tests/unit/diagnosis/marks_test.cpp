@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "oracle/oracle.hpp"
+#include "properties/claims/answers.hpp"
 #include "unit/diagnosis/clinic.hpp"
 #include "unit/diagnosis/faulty/faulty.hpp"
 
@@ -79,6 +80,55 @@ Answer halved_where_upright(const Case& one) {
   return answer;
 }
 
+Answer hit_at_minus_one() {
+  RayAnswer answer;
+  answer.hits.push_back(-1);
+  return answer;
+}
+Answer all_at_minus_one(const Case& /*one*/) { return hit_at_minus_one(); }
+Answer misses_at_minus_one(const Case& one) {
+  const Answer exact = oracle::answer(one);
+  return finds_something(exact) ? exact : hit_at_minus_one();
+}
+
+/// A verdict alone.
+Answer always_hit(const Case& /*one*/) {
+  RayAnswer answer;
+  answer.verdict_only = true;
+  answer.hits.push_back(0);
+  return answer;
+}
+
+/// The normal of a box's entry has its sign from the side of min on which the ray's origin lies.
+Answer normal_by_side_of_origin(const Case& one) {
+  Answer answer = oracle::answer(one);
+  auto& hits = std::get<RayAnswer>(answer);
+  const auto& [ray, shape, transform] = std::get<RayQuestion>(one.question);
+  if (!hits.normal || transform || glm::dot(*hits.normal, ray.direction) >= 0) return answer;
+  const auto& box = std::get<Box<double>>(shape);
+  for (int axis = 0; axis < 3; ++axis)
+    if ((*hits.normal)[axis] != 0) (*hits.normal)[axis] = ray.origin[axis] < box.min[axis] ? -1 : 1;
+  return answer;
+}
+
+/// Roots 1 and c / a, in that order, where a + b + c = 0; 0 and -b / a where c = 0.
+template <bool is_of_zero>
+Answer with_known_root_first(const Case& one) {
+  const auto& [a, b, c] = std::get<Quadratic<double>>(one.question);
+  if (a == 0 || (is_of_zero ? c : a + b + c) != 0) return oracle::answer(one);
+  return Roots{RootKind::two, 2, {is_of_zero ? 0.0 : 1.0, is_of_zero ? -b / a : c / a}};
+}
+
+/// The textbook's roots, but for D, which a float holds.
+Answer roots_of_discriminant_in_float(const Case& one) {
+  const auto& [a, b, c] = std::get<Quadratic<double>>(one.question);
+  const double D = static_cast<float>(b * b - 4 * a * c);
+  if (a == 0 || !(D > 0)) return oracle::answer(one);
+  Roots roots{RootKind::two, 2, {(-b - std::sqrt(D)) / (2 * a), (-b + std::sqrt(D)) / (2 * a)}};
+  std::ranges::sort(roots.roots);
+  return roots;
+}
+
 struct Marked {
   const char* topic;
   const char* property;
@@ -94,6 +144,13 @@ TEST(DiagnosisByMarks, NamesWhatNoModelForesees) {
            {"quadratic", "residual", "double-root-wrong", double_root_moved},
            {"quadratic", "residual", "q-wrong", q_scaled},
            {"quadratic", "ascending", "plus-root-first", plus_root_first},
+           {"quadratic", "ascending", "fixed-place-of-1", with_known_root_first<false>},
+           {"quadratic", "ascending", "fixed-place-of-0", with_known_root_first<true>},
+           {"quadratic", "residual", "discriminant-in-float", roots_of_discriminant_in_float},
+           {"sphere", "verdict", "all-at-minus-one", all_at_minus_one},
+           {"box", "verdict", "misses-at-minus-one", misses_at_minus_one},
+           {"box", "verdict", "always-hits", always_hit},
+           {"box", "normal", "normal-signed-by-origin", normal_by_side_of_origin},
            {"polygon", "residual", "wrong-where-upright", halved_where_upright}}) {
     const std::string found =
         in_words(faults_of(subject_of(topic, code), *find_property(property), Precision::float64, 60));

@@ -88,6 +88,33 @@ TEST(ModelOfASignOfTheRadius, SaysNothingOfASphereWithoutOne) {
   EXPECT_EQ(foreseen_by("radius-square-added", of_radius(1)).size(), 1U);
 }
 
+TEST(ModelOfIntegersOf32Bits, ReadsWholeNumbersAloneSo) {
+  const auto at = [](double x) {
+    return Case{.precision = Precision::float64,
+                .question = RayQuestion{.ray = {{0, 0, x}, {0, 0, -0.5 * x}, 0, infinity<double>},
+                                        .shape = Sphere<double>{{0, 0, 0}, 1}}};
+  };
+  EXPECT_TRUE(foreseen_by("whole-numbers-in-32-bits", at(2147483647)).empty());
+  EXPECT_TRUE(foreseen_by("whole-numbers-in-32-bits", at(1e30)).empty()) << "it has an exponent";
+  EXPECT_TRUE(foreseen_by("whole-numbers-in-32-bits", at(4294967296.5)).empty());
+  const std::vector<Answer> found = foreseen_by("whole-numbers-in-32-bits", at(4294967298));
+  ASSERT_EQ(found.size(), 3U);
+  // 4294967298 wraps to 2, and -2147483649 to 2147483647.
+  EXPECT_EQ(std::get<RayAnswer>(found[0]).hits.count, 0U);
+  EXPECT_EQ(std::get<RayAnswer>(found[1]).hits.count, 2U);
+}
+
+TEST(ModelOfAFarCentre, DiffersFromALimitOfTWhereTheDirectionIsLong) {
+  const Case far{.precision = Precision::float64,
+                 .question = RayQuestion{.ray = {{0, 0, -30000}, {0, 0, 10}, 0, infinity<double>},
+                                         .shape = Sphere<double>{{0, 0, 0}, 1}}};
+  EXPECT_EQ(foreseen_by("far-centre-1e4", far).size(), 1U);
+  EXPECT_TRUE(foreseen_by("far-centre-1e5", far).empty());
+  const Answer exact = oracle::answer(far);
+  EXPECT_TRUE(find_hypothesis("far-centre-1e4")->shows_more(far, exact));
+  EXPECT_FALSE(find_hypothesis("far-centre-1e3")->shows_more(far, exact));
+}
+
 // Their places distinguish the mistakes.
 TEST(ModelOfManyMistakes, ForeseesOneAnswerOfEach) {
   for (const Hypothesis& model : hypotheses()) {
@@ -131,6 +158,8 @@ TEST(Diagnosis, NamesWhatIsWronglySaidOfTheFirstHit) {
                                                {"parallelepiped", "normal", "normals-0-2"},
                                                {"sphere", "point", "point-against-direction"},
                                                {"sphere", "point", "point-from-shape"},
+                                               {"sphere", "point", "point-at-radius-one"},
+                                               {"box", "normal", "normal-of-entry-axis"},
                                                {"box", "normal", "normal-of-farthest-axis"},
                                                {"parallelepiped", "normal", "normal-flipped-by-edges"},
                                                {"triangle", "coordinates", "given-undivided"},

@@ -194,4 +194,9 @@ bool Examination::finds_nothing(std::span<const std::size_t> cases) const {
       cases, [&](std::size_t i) { return finds_something(failing_.at(i).got.value_or(Answer{})); });
 }
 
+bool Examination::never_finds() const {
+  const auto finds = [](const Known& known) { return known.got && finds_something(*known.got); };
+  return std::ranges::none_of(failing_, finds) && std::ranges::none_of(passing_, finds);
+}
+
 }  // namespace rayproof::diagnosis

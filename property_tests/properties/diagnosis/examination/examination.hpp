@@ -75,10 +75,13 @@ class Examination {
   [[nodiscard]] std::size_t count_of_numbers(std::span<const std::size_t> cases) const;
   /// Whether the subject finds nothing in any of these failing cases.
   [[nodiscard]] bool finds_nothing(std::span<const std::size_t> cases) const;
+  /// Whether it finds nothing in any case, failing or not.
+  [[nodiscard]] bool never_finds() const;
   /// Whether the cases are quadratic equations.
   [[nodiscard]] bool is_equation() const;
 
   [[nodiscard]] std::size_t failing_count() const { return failing_.size(); }
+  [[nodiscard]] std::size_t passing_count() const { return passing_.size(); }
   /// Whether the answer to a failing case is wronger than a loss of digits can make it.
   [[nodiscard]] bool is_beyond_rounding(std::size_t i) const;
   /// Of the failing cases, those on a boundary.

@@ -34,6 +34,10 @@ std::vector<Hypothesis> models_of_corners() {
             "the answer is right for a cube from min: all sides are as long as that along z"),
       gives("sides-as-longest", read_as<sides_as_longest>,
             "the answer is right for a cube from min: all sides are as long as the longest"),
+      of(OfSizes::type, gives("middle-in-float", read_as<middle_in_float>,
+                              "the answer is right for the box whose middle and half size are floats, though "
+                              "the case is of float64",
+                              rounding)),
       gives("max-x-y", corner_exchanged<&Box<double>::max, 0, 1>,
             "the answer is right with x and y of max exchanged"),
       gives("max-x-z", corner_exchanged<&Box<double>::max, 0, 2>,

@@ -2,6 +2,7 @@
 /// Faults in what is said of the first hit, and classes of cases that are not handled.
 
 #include "properties/diagnosis/models/curved/quadratic.hpp"
+#include "properties/diagnosis/models/curved/shortcuts.hpp"
 #include "properties/diagnosis/models/cylinders/normals.hpp"
 #include "properties/diagnosis/models/first_hit/normals.hpp"
 #include "properties/diagnosis/models/first_hit/points.hpp"
@@ -104,6 +105,14 @@ std::vector<Hypothesis> models_of_first_hits() {
           "the normal is that of the face along the axis in which the point is farthest from the middle: the "
           "distance must be divided by half the box's size along that axis",
           gross, Aspect::normal),
+      shows(
+          "normal-signed-by-origin", normal_signed_by_origin,
+          "the normal is turned round where the ray begins on the face by which it enters, or beyond it: its "
+          "sign is that of the origin's side, and must be against the direction",
+          gross, Aspect::normal),
+      gives("normal-of-entry-axis", normal_of_entry_axis,
+            "where the ray leaves the normal is along the axis of the face by which its line enters", gross,
+            Aspect::normal),
       gives("normal-from-middle", normal_from_middle,
             "the normal points from the middle of the solid, as a sphere's", gross, Aspect::normal),
       gives("normal-without-signs", normal_without_signs,
@@ -157,6 +166,9 @@ std::vector<Hypothesis> models_of_first_hits() {
       gives("point-at-foot", point_at_foot,
             "the point is the foot of the perpendicular from the ray's origin, and must be o + t·d", gross,
             Aspect::point),
+      gives("point-at-radius-one", point_at_radius_one,
+            "the point is the centre plus the normal, and must be plus the normal times the radius", gross,
+            Aspect::point),
       gives("point-of-far-hit", point_of_far_hit, "the point is the far hit's", gross, Aspect::point),
       shows("point-moved", point_moved_along_normal,
             "the point is moved off the surface along the normal, as an origin of the next ray is", gross,
@@ -192,6 +204,8 @@ std::vector<Hypothesis> classes_of_cases() {
       shows("no-constant-not-handled", wrong_where_c_is_zero,
             "equations with c = 0, which have a root 0, are not handled"),
       shows("no-linear-term-not-handled", wrong_where_b_is_zero, "equations with b = 0 are not handled"),
+      shows("sum-zero-not-handled", wrong_where_sum_is_zero,
+            "equations with a + b + c = 0, which have a root 1, are not handled"),
       shows("square-alone-not-handled", wrong_where_square, "equations ax² = 0 are not handled"),
       shows("everything-not-handled", wrong_where_all_is_zero, "the equation 0 = 0 is not handled", boundary),
       following("linear-not-handled", shows("constant-not-handled", wrong_where_constant,
@@ -218,11 +232,10 @@ std::vector<Hypothesis> classes_of_cases() {
       shows("is-zero", is_all_zero, zero_in_words),
       vague(shows("is-infinite", is_infinite,
                   "a number of the answer is infinite: a division by 0 is not kept from")),
-      strictly(gives("never-hits", never_hits, "it finds nothing on any case tried")),
+      strictly(gives("never-hits", never_hits,
+                     "every case tried misses, says the subject: nothing is ever found")),
       shows("roots-not-sorted", not_sorted<Quadratic<double>>,
             "the roots are right, and do not always stand in ascending order: they are not sorted"),
-      vague(shows("always-hits", always_hits,
-                  "it finds something on every case tried, even where there is nothing")),
   };
 }
 

@@ -8,6 +8,7 @@
 #include "properties/diagnosis/models/hits/interval.hpp"
 #include "properties/diagnosis/models/hits/line.hpp"
 #include "properties/diagnosis/models/hits/starts.hpp"
+#include "properties/diagnosis/models/hits/stretches.hpp"
 #include "properties/diagnosis/models/hits/values.hpp"
 #include "properties/diagnosis/models/outlines/outline.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
@@ -53,6 +54,17 @@ Hypothesis merged_hits() {
 
 }  // namespace
 
+std::vector<Hypothesis> models_of_all_alike() {
+  return {
+      strictly(shows("all-at-minus-one", is_at_minus_one,
+                     "every ray is said to hit at t = -1: the number that stands for a miss is given as a "
+                     "hit")),
+      shows("misses-at-minus-one", misses_at_minus_one,
+            "where nothing is hit t = -1 is given as a hit: it is the number that stands for a miss"),
+      strictly(shows("always-hits", always_hits,
+                     "every case tried hits, says the subject, also where there is nothing"))};
+}
+
 std::vector<Hypothesis> models_of_hits() {
   return {
       misses_zero("open-where-entering", open_where_entering,
@@ -93,6 +105,9 @@ std::vector<Hypothesis> models_of_hits() {
             "the answer is right for the whole line: the interval of t is ignored"),
       gives_to_all("segment", read_as<as_segment>,
                    "the answer is right for t in [0, 1]: the ray is taken for a segment"),
+      shown_by(has_hit_before_t_min, gives("t-min-as-t-max", t_min_as_t_max,
+                                           "the answer is right for the interval [0, t_min]: t_min is taken "
+                                           "for t_max, too")),
       gives("interval-as-distances", read_as<interval_as_distances>,
             "the answer is right where t_min and t_max are lengths: they are compared with distances, not "
             "with t"),
@@ -129,6 +144,11 @@ std::vector<Hypothesis> models_of_hits() {
             "lies decides, and t is not compared with t_min"),
       gives("all-hits-or-none", all_hits_or_none,
             "it misses where one of the line's hits lies outside the interval, although another lies inside"),
+      gives_one_of(
+          "starts-at-zero", cut_off_at_zero,
+          "the stretch inside is cut off at t = 0, or at the smallest positive number, as "
+          "numeric_limits::min() is: a ray that starts inside is said to hit there, where there is no "
+          "surface, and what lies behind is missed"),
       gives("starts-at-t-min", clipped_at_t_min,
             "a ray that starts inside is said to hit at t_min, where there is no surface"),
       gives(
@@ -138,6 +158,10 @@ std::vector<Hypothesis> models_of_hits() {
             "what lies beyond the ray's end is reported as a hit at t_max: t is clamped to the interval"),
       gives("clipped-to-interval", clipped_to_interval,
             "where the interval ends inside the solid, its end is reported as a hit"),
+      gives("exit-at-t-max", exit_at_t_max,
+            "where the ray ends inside the solid t_max is reported as the hit where it leaves"),
+      gives("zero-from-inside", zero_from_inside,
+            "a ray whose origin is inside is said to hit at t = 0 alone, where there is no surface"),
       gives("solid-from-origin", solid_from_origin,
             "a ray whose origin is inside is said to hit at t = 0, where there is no surface, and what lies "
             "behind the origin is missed"),

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "properties/claims/answers.hpp"
+#include "properties/diagnosis/models/curved/near_sphere.hpp"
 #include "properties/diagnosis/models/curved/quadratic.hpp"
 #include "properties/diagnosis/models/hits/digits.hpp"
 #include "properties/diagnosis/models/hits/factor.hpp"
@@ -53,6 +54,19 @@ void add_limits(std::vector<Hypothesis>& all) {
   (all.push_back(limit(power, drops_beyond<power>)), ...);
 }
 
+/// The same of what is compared: the distance of a sphere's centre, and not t.
+template <int... power>
+void add_far_centres(std::vector<Hypothesis>& all) {
+  const auto add = [&](int tens, Predict predict, bool (*shows_more)(const Case&, const Answer&)) {
+    Hypothesis made = shown_by(shows_more, limit(tens, predict));
+    made.name = kept(fmt::format("far-centre-1e{}", tens));
+    made.sentence = kept(fmt::format(
+        "a sphere whose centre is farther from the origin than about 1e{} is missed: a fixed limit", tens));
+    all.push_back(made);
+  };
+  (add(power, far_centre_missed<power>, has_hit_within<power>), ...);
+}
+
 /// That small numbers are made 0 would be an epsilon.
 template <int decimals>
 Hypothesis few_decimals() {
@@ -68,6 +82,12 @@ Hypothesis few_decimals() {
 template <int... decimals>
 void add_decimals(std::vector<Hypothesis>& all) {
   (all.push_back(few_decimals<decimals>()), ...);
+}
+
+/// A point that is off shows it, too.
+Hypothesis of_all_numbers(Hypothesis mark) {
+  mark.is_throughout = true;
+  return mark;
 }
 
 /// An approximation that all goes through.
@@ -110,6 +130,7 @@ std::vector<Hypothesis> models_of_limits() {
   all.front().differs_by_precision = true;
   add_epsilons<-15, -12, -10, -9, -8, -7, -6, -5, -4, -3, -2>(all);
   add_limits<30, 20, 16, 15, 12, 10, 9, 8, 7, 6, 5, 4, 3, 2>(all);
+  add_far_centres<12, 10, 9, 8, 7, 6, 5, 4, 3, 2>(all);
   return all;
 }
 
@@ -204,8 +225,8 @@ std::vector<Hypothesis> models_of_digits() {
             "every number is a whole one: it is cut off or rounded to an integer"),
       shows("prints-six-decimals", has_six_decimals,
             "no number has more than six decimals: the code prints too few of them, or rounds", rounding),
-      shows("prints-six-digits", has_six_digits,
-            "no number has more than six digits: the code prints too few of them", rounding),
+      of_all_numbers(shows("prints-six-digits", has_six_digits,
+                           "no number has more than six digits: the code prints too few of them", rounding)),
       of(OfSizes::type,
          shows("float-on-the-way", is_right_to_float,
                "right to about seven digits: a float on the way, though the case is of float64", rounding)),

@@ -157,6 +157,8 @@ std::vector<Hypothesis> models_of_readings() {
                    "the answer is right for the direction cut off to whole numbers: it is read as integers"),
       gives("exponents-dropped", read_as<without_exponents>,
             "the answer is right for numbers without their exponents: 1e-07 is read as 1"),
+      gives_one_of("whole-numbers-in-32-bits", whole_numbers_in_32_bits,
+                   "whole numbers beyond 2^31 are read as integers of 32 bits, which do not hold them"),
   };
   add_grids<10, 16, 64, 100, 256, 1000, 1024, 65536>(all);
   return all;

@@ -6,6 +6,7 @@
 #include "properties/diagnosis/models/curved/products.hpp"
 #include "properties/diagnosis/models/curved/quadratic.hpp"
 #include "properties/diagnosis/models/curved/root_formula.hpp"
+#include "properties/diagnosis/models/curved/shortcuts.hpp"
 #include "properties/diagnosis/models/curved/small_discriminant.hpp"
 #include "properties/diagnosis/models/curved/wrong_roots.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
@@ -67,6 +68,42 @@ void add_small_a(std::vector<Hypothesis>& all) {
                                                  "for a linear one: an absolute epsilon",
                                                  power))))),
    ...);
+}
+
+template <int... power>
+void add_large_b(std::vector<Hypothesis>& all) {
+  (all.push_back(
+       gives(kept(fmt::format("large-b-1e{}", power)), large_b_as_linear<power>,
+             kept(fmt::format("an equation with b² above about 1e{} |ac| is taken for a linear one: the "
+                              "farther root, about -b/a, is dropped",
+                              power)))),
+   ...);
+}
+
+/// What is right of most equations that have the root, by the sign of the other one.
+template <int root>
+Hypothesis in_fixed_place(std::string_view name, std::string_view condition) {
+  return gives_one_of(
+      name, fixed_place_of<root>,
+      kept(fmt::format("where {} the root {} is given always first, or always last, whatever the other one "
+                       "is: the two are not sorted there",
+                       condition, root)));
+}
+
+void add_shortcuts(std::vector<Hypothesis>& all) {
+  all.push_back(in_fixed_place<0>("fixed-place-of-0", "c = 0"));
+  all.push_back(in_fixed_place<1>("fixed-place-of-1", "a + b + c = 0"));
+  all.push_back(in_fixed_place<-1>("fixed-place-of-minus-1", "a - b + c = 0"));
+  all.push_back(of(OfSizes::zero, gives("linear-zero-missed", linear_zero_missed,
+                                        "where a = 0 a root 0 is left out: it is taken for no root")));
+  all.push_back(
+      shown_by(has_square, of(OfSizes::zero, gives("zero-missed", zero_missed,
+                                                   "every root 0 is left out: it is taken for no root"))));
+  all.push_back(gives("other-root-by-sum", by_formula<second_by_sum, first_by_sum>,
+                      "of two roots one is right, and the other is -b less that: their sum is -b/a"));
+  all.push_back(
+      of(OfSizes::type, shows("discriminant-in-float", has_discriminant_in_float,
+                              "the discriminant is a float, though the case is of float64", rounding)));
 }
 
 template <int... power>
@@ -154,11 +191,13 @@ std::vector<Hypothesis> models_of_roots() {
             "a double root is twice the right one: it is -b/(2a)"),
       gives("double-root-negated", double_root_negated, "a double root has the wrong sign: it is -b/(2a)"),
       gives("double-root-undivided", double_root_undivided,
-            "a double root is not divided by a, or by 2a: it is -b/(2a)"),
+            "a double root is not divided by a, or by 2a, or is multiplied by a: it is -b/(2a)"),
       gives("linear-root-inverted", linear_root_inverted, "where a = 0 the root is -b/c, and must be -c/b"),
   };
+  add_shortcuts(all);
+  add_large_b<12, 10, 9, 8, 7, 6, 5, 4, 3, 2>(all);
   add_small_a_beside_b<-8, -6, -5, -4, -3, -2>(all);
-  add_small_a<-12, -10, -9, -8, -7, -6, -5, -4, -3, -2>(all);
+  add_small_a<-12, -10, -9, -8, -7, -6, -5, -4, -3, -2, -1, 0>(all);
   add_nearly_double_roots<-8, -6, -5, -4, -3, -2>(all);
   add_small_discriminants<-12, -10, -9, -8, -7, -6, -5, -4, -3, -2>(all);
   add_terms<Product::direction_squared>(all, "term-of-d-d", "d·d");

@@ -27,6 +27,16 @@ void add_small_volumes(std::vector<Hypothesis>& all) {
    ...);
 }
 
+template <int... power>
+void add_flat_solids(std::vector<Hypothesis>& all) {
+  (all.push_back(gives(
+       kept(fmt::format("flat-solid-1e{}", power)), flat_solid_missed<power>,
+       kept(fmt::format("missed where the volume of the edges is below about 1e{} of the product of their "
+                        "lengths: a flat solid is taken for one without volume, by a relative epsilon",
+                        power)))),
+   ...);
+}
+
 /// That a size of 0 is missed alone would be less.
 Hypothesis small_shape(std::string_view name, int power, Predict predict, std::string_view words) {
   return shown_by(has_some_size, below_power(name, power, predict, words));
@@ -54,6 +64,7 @@ std::vector<Hypothesis> models_of_sizes() {
   std::vector<Hypothesis> all;
   add_small_components<-8, -7, -6, -5, -4, -3, -2>(all);
   add_small_volumes<-12, -10, -9, -8, -7, -6, -5, -4, -3, -2>(all);
+  add_flat_solids<-8, -6, -5, -4, -3, -2, -1>(all);
   add_thin_solids<-12, -10, -9, -8, -7, -6, -5, -4, -3, -2>(all);
   return all;
 }

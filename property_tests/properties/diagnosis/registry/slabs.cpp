@@ -29,6 +29,17 @@ void add_loose(std::vector<Hypothesis>& all) {
 }
 
 template <int... power>
+void add_thickened(std::vector<Hypothesis>& all) {
+  (all.push_back(
+       of(OfSizes::small,
+          gives_one_of(
+              kept(fmt::format("thickened-1e{}", power)), thickened_to<power>,
+              kept(fmt::format("a box that is thinner than 1e{} is made as thick, and hit where it is not",
+                               power))))),
+   ...);
+}
+
+template <int... power>
 void add_along_axis(std::vector<Hypothesis>& all) {
   (all.push_back(below_power(
        "side-missed-along", power, side_missed_along<power>,
@@ -98,6 +109,7 @@ std::vector<Hypothesis> models_of_slab_orders() {
                              "matrix: rows are taken for columns"));
   add_raised_components<-12, -10, -9, -8, -7, -6, -5, -4, -3, -2>(all);
   add_loose<-8, -7, -6, -5, -4, -3, -2>(all);
+  add_thickened<-8, -7, -6, -5, -4, -3, -2, -1>(all);
   return all;
 }
 

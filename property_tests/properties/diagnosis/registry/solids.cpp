@@ -5,6 +5,7 @@
 #include "properties/diagnosis/models/solids/box.hpp"
 #include "properties/diagnosis/models/solids/faces.hpp"
 #include "properties/diagnosis/models/solids/parallelepiped.hpp"
+#include "properties/diagnosis/models/solids/slab_arithmetic.hpp"
 #include "properties/diagnosis/models/solids/slabs.hpp"
 #include "properties/diagnosis/models/solids/solid.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
@@ -18,8 +19,8 @@ std::vector<Hypothesis> models_of_solids() {
       gives("radius-rooted", radius_for_square<1>,
             "the answer is right for the root of the radius: r is taken for r²"),
       gives("radius-square-added", radius_square_added,
-            "it finds nothing on any case tried: no hit is looked for, or c = |o - center|² + r², the sign "
-            "of r² wrong"),
+            "every ray misses, says the subject: nothing is ever hit; no hit is looked for, or c = |o - "
+            "center|² + r², the sign of r² wrong"),
       gives("radius-doubled", read_as<radius_doubled>, "the answer is right for twice the radius"),
       gives("radius-halved", read_as<radius_halved>,
             "the answer is right for half the radius: it is taken for a diameter"),
@@ -92,6 +93,16 @@ std::vector<Hypothesis> models_of_solids() {
             "a ray in the plane of a face is missed: 0·∞ is no number, or an inequality is strict there"),
       gives("missed-along-slab", missed_along_slab,
             "every ray along a face is missed: a component of the direction that is 0 is taken for a miss"),
+      gives_one_of("nan-in-slab", nan_in_slab,
+                   "0·∞ is NaN in the slab of a face that the ray runs in, of which no comparison is true: "
+                   "the slab is not looked at, or what was found of the others is lost"),
+      gives_one_of("stops-at-parallel-slab", stops_at_parallel_slab,
+                   "the slabs that come after one which the ray runs along are not looked at: the loop "
+                   "must go on"),
+      of(OfSizes::type, gives("reciprocal-in-float", reciprocal_in_float,
+                              "1/d is a float, though the case is of float64: it has seven digits, and is 0 "
+                              "or infinite where d is large or small",
+                              rounding)),
       gives("leaves-at-last-end", leaves_at_last_end,
             "the line is taken to leave where it leaves the last of the slabs, and must leave with the "
             "first: max "
@@ -111,6 +122,9 @@ std::vector<Hypothesis> models_of_solids() {
           "missed where the first edge has x = 0, or the next pivot is 0: an elimination must exchange rows"),
       gives("left-handed-missed", left_handed_missed,
             "a solid whose edges are left-handed, their determinant negative, is missed"),
+      gives("missed-beside-two-corners", missed_beside_two_corners,
+            "missed beside the upright box between the corner and the opposite one: it is taken for the "
+            "bounds, and the other corners may lie outside of it"),
       gives("parallelepiped-as-bounds", read_as<parallelepiped_as_bounds>,
             "the answer is right for the upright bounding box"),
       gives("edges-times-length", read_as<edges_times_length>,

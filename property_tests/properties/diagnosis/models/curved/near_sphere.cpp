@@ -62,4 +62,16 @@ bool starts_outside(const Case& one, const Answer& /*exact*/) {
   return seen && glm::length(seen->origin) > seen->radius;
 }
 
+Answers far_centre_missed(const Case& one, const Answer& exact, double limit) {
+  const auto* sphere = shape_in<Sphere<double>>(one);
+  if (sphere == nullptr || !finds_something(exact)) return {};
+  const double far = glm::distance(ray_in_object(*ray_question(one)).origin, sphere->center);
+  return far > limit ? Answers{RayAnswer{}} : Answers{};
+}
+
+bool has_hit_within(const Answer& exact, double limit) {
+  const std::vector<double> all = numbers_in(exact);
+  return !all.empty() && all.front() < limit / 2;
+}
+
 }  // namespace rayproof::diagnosis

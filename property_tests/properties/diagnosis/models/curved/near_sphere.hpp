@@ -2,6 +2,8 @@
 /// \file
 /// Models of a sphere that is taken for a little smaller or larger, by a share of some length.
 
+#include <cmath>
+
 #include "properties/diagnosis/models/models.hpp"
 
 namespace rayproof::diagnosis {
@@ -17,5 +19,19 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers far_hit_from_near(const Case& one, const Answer& exact);
 /// Whether the origin lies outside.
 [[nodiscard]] bool starts_outside(const Case& one, const Answer& exact);
+
+/// A sphere whose centre is farther from the origin than 10^power is missed.
+[[nodiscard]] Answers far_centre_missed(const Case& one, const Answer& exact, double limit);
+template <int power>
+[[nodiscard]] Answers far_centre_missed(const Case& one, const Answer& exact) {
+  return far_centre_missed(one, exact, std::pow(10.0, power));
+}
+
+/// Whether a hit's t is no larger than that: a limit of t would not leave it out.
+[[nodiscard]] bool has_hit_within(const Answer& exact, double limit);
+template <int power>
+[[nodiscard]] bool has_hit_within(const Case& /*one*/, const Answer& exact) {
+  return has_hit_within(exact, std::pow(10.0, power));
+}
 
 }  // namespace rayproof::diagnosis

@@ -116,7 +116,8 @@ Answers double_root_undivided(const Case& one, const Answer& exact) {
   const auto* q = std::get_if<Quadratic<double>>(&one.question);
   if (q == nullptr) return {};
   Answers answers = double_root_times(exact, q->a);
-  for (Answer& answer : double_root_times(exact, 2 * q->a)) answers.push_back(std::move(answer));
+  for (const double factor : {2 * q->a, q->a * q->a})
+    for (Answer& answer : double_root_times(exact, factor)) answers.push_back(std::move(answer));
   return answers;
 }
 

@@ -69,7 +69,7 @@ template <int power>
 [[nodiscard]] inline Answers double_root_negated(const Case& /*one*/, const Answer& exact) {
   return double_root_times(exact, -1);
 }
-/// The same of what is not divided by a, or by 2a.
+/// The same of what is not divided by a, or by 2a, or is multiplied by a.
 [[nodiscard]] Answers double_root_undivided(const Case& one, const Answer& exact);
 /// The equation with a double root is not handled.
 [[nodiscard]] std::optional<bool> wrong_where_double(const Case& one, const Answer& got, const Answer& exact);

@@ -59,6 +59,16 @@ Answers point_from_shape(const Case& one, const Answer& exact) {
   return place ? with_point(exact, *answer->point - *place) : Answers{};
 }
 
+Answers point_at_radius_one(const Case& one, const Answer& exact) {
+  const RayAnswer* answer = hit_with_point(exact);
+  const auto* sphere = answer == nullptr ? nullptr : shape_in<Sphere<double>>(one);
+  if (sphere == nullptr || sphere->radius == 0) return {};
+  const RayQuestion& asked = *ray_question(one);
+  const glm::dvec3 own = point_at(ray_in_object(asked), answer->hits.t[0]) - sphere->center;
+  const glm::dvec4 place(sphere->center + own / sphere->radius, 1);
+  return with_point(exact, glm::dvec3(asked.transform.value_or(glm::dmat4(1)) * place));
+}
+
 Answers point_of_far_hit(const Case& one, const Answer& exact) {
   const RayAnswer* answer = hit_with_point(exact);
   if (answer == nullptr || answer->hits.count < 2) return {};
@@ -80,6 +90,9 @@ std::optional<bool> point_moved_along_normal(const Case& one, const Answer& got,
   const glm::dvec3 way = *mine->point - *answer->point;
   const double along = glm::dot(way, *answer->normal), far = size_of_scene(one);
   if (std::abs(along) <= 64 * share_of_rounding(one.precision) * far) return std::nullopt;
+  for (const Answer& other : point_at_radius_one(one, exact))  // that says more
+    if (glm::length(*mine->point - *std::get<RayAnswer>(other).point) <= 0x1p-6 * std::abs(along))
+      return std::nullopt;
   return glm::length(way - along * *answer->normal) <= 0x1p-6 * std::abs(along);
 }
 

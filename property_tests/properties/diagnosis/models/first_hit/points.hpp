@@ -17,6 +17,9 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers point_by_unit_direction(const Case& one, const Answer& exact);
 [[nodiscard]] Answers point_against_direction(const Case& one, const Answer& exact);
 [[nodiscard]] Answers point_from_shape(const Case& one, const Answer& exact);
+/// On the sphere of radius 1 about the centre: the normal is added to it, and not the normal times the
+/// radius.
+[[nodiscard]] Answers point_at_radius_one(const Case& one, const Answer& exact);
 /// Whether the point is off the surface by some length along the normal, as an origin of the next ray is.
 [[nodiscard]] std::optional<bool> point_moved_along_normal(const Case& one, const Answer& got,
                                                            const Answer& exact);

@@ -75,6 +75,16 @@ Answers t_min_cut_to_zero(const Case& one, const Answer& exact) {
   return ray == nullptr || ray->t_min >= 0 ? Answers{} : t_min_is_zero(one, exact);
 }
 
+Answers t_min_as_t_max(const Case& one, const Answer& /*exact*/) {
+  const auto* ray = ray_of(one);
+  if (ray == nullptr || ray->t_min == infinity<double>) return {};
+  return {hits_where(hits_of_line(one), [&](double t) { return 0 <= t && t <= ray->t_min; })};
+}
+
+bool has_hit_before_t_min(const Case& one, const Answer& exact) {
+  return std::ranges::any_of(t_min_as_t_max(one, exact), finds_something);
+}
+
 Answers zero_as_no_end(const Case& one, const Answer& /*exact*/) {
   const auto* ray = ray_of(one);
   if (ray == nullptr || ray->t_max != 0) return {};

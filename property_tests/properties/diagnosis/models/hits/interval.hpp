@@ -25,6 +25,10 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers t_min_is_zero(const Case& one, const Answer& exact);
 /// The same where t_min is negative alone.
 [[nodiscard]] Answers t_min_cut_to_zero(const Case& one, const Answer& exact);
+/// t_min is taken for t_max, too: the interval is [0, t_min].
+[[nodiscard]] Answers t_min_as_t_max(const Case& one, const Answer& exact);
+/// Whether a hit is given so, and not only missed.
+[[nodiscard]] bool has_hit_before_t_min(const Case& one, const Answer& exact);
 /// t is counted from t_min.
 [[nodiscard]] Answers t_from_t_min(const Case& one, const Answer& exact);
 /// Of an interval that ends at 0 the end is not looked at.

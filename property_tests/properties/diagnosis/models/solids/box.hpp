@@ -43,4 +43,15 @@ template <Corner corner, int i, int j>
 /// the box not looked at.
 [[nodiscard]] Answers normal_of_farthest_axis(const Case& one, const Answer& exact);
 
+/// Whether the normal of the entry is turned round where the ray begins on that face, or behind it, and only
+/// there: its sign is that of the side of the origin.
+[[nodiscard]] std::optional<bool> normal_signed_by_origin(const Case& one, const Answer& got,
+                                                          const Answer& exact);
+/// Where the ray starts inside the normal is along the axis of the entry, and must be along the exit's: with
+/// the sign of the direction, or as it is at the entry.
+[[nodiscard]] Answers normal_of_entry_axis(const Case& one, const Answer& exact);
+
+/// In a case of float64 the middle and the half size of the box are floats.
+[[nodiscard]] std::vector<Case> middle_in_float(const Case& one);
+
 }  // namespace rayproof::diagnosis

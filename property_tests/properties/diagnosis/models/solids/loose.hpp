@@ -22,4 +22,12 @@ template <int power>
   return narrowed(one, exact, std::pow(10.0, power));
 }
 
+/// A box that is thinner than that along an axis is made as thick there: beyond its max, or about its middle.
+/// An answer for each.
+[[nodiscard]] Answers thickened(const Case& one, double least);
+template <int power>
+[[nodiscard]] Answers thickened_to(const Case& one, const Answer& /*exact*/) {
+  return thickened(one, std::pow(10.0, power));
+}
+
 }  // namespace rayproof::diagnosis

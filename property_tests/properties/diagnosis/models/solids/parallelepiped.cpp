@@ -69,6 +69,20 @@ Answers small_volume_missed(const Case& one, const Answer& exact, double least) 
   return std::abs(glm::determinant(glm::dmat3(e[0], e[1], e[2]))) < least ? Answers{RayAnswer{}} : Answers{};
 }
 
+Answers flat_solid_missed(const Case& one, const Answer& exact, double share) {
+  const auto* solid = shape_in<Parallelepiped<double>>(one);
+  if (solid == nullptr) return {};
+  const auto& [e, f, g] = solid->edges;
+  return small_volume_missed(one, exact, share * glm::length(e) * glm::length(f) * glm::length(g));
+}
+
+Answers missed_beside_two_corners(const Case& one, const Answer& exact) {
+  const std::vector<Case> boxes = finds_something(exact) ? parallelepiped_as_box(one) : std::vector<Case>{};
+  // Bounds may be asked of the line, or of the ray in its interval; what is inside them it does not miss.
+  if (boxes.empty() || hits_of_line(boxes.front()).hits.count > 0) return {};
+  return {RayAnswer{}};
+}
+
 std::vector<Case> edges_transposed(const Case& one) {
   return with_shape<Parallelepiped<double>>(one, [](RayQuestion& /*asked*/, Parallelepiped<double>& solid) {
     auto& e = solid.edges;

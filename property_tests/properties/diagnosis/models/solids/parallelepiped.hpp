@@ -57,6 +57,17 @@ template <int power>
   return small_volume_missed(one, exact, std::pow(10.0, power));
 }
 
+/// The same of a volume below 10^power of the product of the edges' lengths.
+[[nodiscard]] Answers flat_solid_missed(const Case& one, const Answer& exact, double share);
+template <int power>
+[[nodiscard]] Answers flat_solid_missed(const Case& one, const Answer& exact) {
+  return flat_solid_missed(one, exact, std::pow(10.0, power));
+}
+
+/// What passes by the upright box between the corner and the opposite one is missed: the other corners may
+/// lie outside of it.
+[[nodiscard]] Answers missed_beside_two_corners(const Case& one, const Answer& exact);
+
 /// What is missed by an elimination that exchanges no rows: a parallelepiped, or a triangle, where the first
 /// edge has x = 0, or the next pivot is 0.
 [[nodiscard]] Answers zero_pivot_missed(const Case& one, const Answer& exact);

@@ -49,7 +49,10 @@ std::vector<Case> sphere_mirrored(const Case& one) {
 Answers sphere_without_sign(const Case& one, const Answer& /*exact*/) {
   const auto equation = sphere_equation(one);
   if (!equation || equation->discriminant() >= 0) return {};
-  return with_roots(one, roots_by(-equation->h, -equation->discriminant(), equation->a));
+  const double D = -equation->discriminant();
+  Answers answers = with_roots(one, roots_by(-equation->h, D, equation->a));
+  for (Answer& other : with_roots(one, without_cancelling(*equation, D))) answers.push_back(std::move(other));
+  return answers;
 }
 
 Answers radius_for_square(const Case& one, double times) {

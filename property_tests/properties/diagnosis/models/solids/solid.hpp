@@ -51,7 +51,8 @@ template <int times>
 }
 /// The sign of r² is wrong in the constant of the sphere's equation.
 [[nodiscard]] Answers radius_square_added(const Case& one, const Answer& exact);
-/// @{ Of a sphere: hits where the discriminant is negative; the line's nearest point to the centre for a hit.
+/// @{ Of a sphere: hits where the discriminant is negative, by either formula; the line's nearest point to
+/// the centre for a hit.
 [[nodiscard]] Answers sphere_without_sign(const Case& one, const Answer& exact);
 [[nodiscard]] Answers nearest_point_of_line(const Case& one, const Answer& exact);
 /// Half of the chord that a sphere cuts from the line: √D / a, without the line's nearest point.

@@ -90,6 +90,32 @@ std::vector<Case> without_exponents(const Case& one) {
   return has_exponent ? if_valid(std::move(changed)) : std::vector<Case>{};
 }
 
+Answers whole_numbers_in_32_bits(const Case& one, const Answer& exact) {
+  constexpr double least = -0x1p31, span = 0x1p32, largest = 0x1p31 - 1;
+  double (*const readings[])(double) = {[](double x) { return x - span * std::floor((x - least) / span); },
+                                        [](double x) { return x < 0 ? least : largest; },
+                                        [](double) { return least; }};
+  Answers answers;
+  for (const auto& read : readings) {
+    Case changed = one;
+    bool is_changed = false;
+    for (const CaseNumber& number : numbers_of(changed)) {
+      double& x = *number.value;
+      std::string text;
+      append_number(text, x, one.precision);
+      const bool is_whole = text.find_first_not_of("-0123456789") == std::string::npos;
+      if (!is_whole || (least <= x && x <= largest)) continue;
+      x = read(x);
+      is_changed = true;
+    }
+    if (!is_changed) return {};
+    changed.precision = Precision::float64;  // the integer that it is
+    const std::vector<Case> valid = if_valid(std::move(changed));
+    answers.push_back(valid.empty() ? exact : oracle::answer(valid.front()));
+  }
+  return answers;
+}
+
 bool has_area_cut_off(const Case& one, const Answer& /*exact*/) {
   const auto* place = std::get_if<PointAndPolygon<double>>(&one.question);
   if (place == nullptr) return true;

@@ -74,6 +74,10 @@ template <int cells>
 }
 /// Every number that the case writes with an exponent is read without it: 1e-07 as 1.
 [[nodiscard]] std::vector<Case> without_exponents(const Case& one);
+/// What a subject answers that reads the case's whole numbers, those without point and exponent, as integers
+/// of 32 bits: what does not fit wraps round, or becomes the nearest that fits, or the least. An answer for
+/// each.
+[[nodiscard]] Answers whole_numbers_in_32_bits(const Case& one, const Answer& exact);
 /// @{ As whole numbers, cut off towards 0; as those of the shorter type, or of 11 bits, as half floats have.
 [[nodiscard]] inline std::vector<Case> shape_cut_off(const Case& one) {
   return with_numbers_of_shape(one, [](double x) { return std::trunc(x); });
