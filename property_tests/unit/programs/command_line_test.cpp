@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "unit/command.hpp"
 #include "unit/programs/program_run.hpp"
@@ -64,6 +65,19 @@ TEST(programs, say_of_a_folder_that_cannot_be_made_what_it_is) {
     const Ended answered = run_program(command);
     EXPECT_EQ(answered.status, 2) << command;
     EXPECT_NE(answered.output.find("the folder /dev/full cannot be made: "), std::string::npos)
+        << answered.output;
+    EXPECT_EQ(std::count(answered.output.begin(), answered.output.end(), '\n'), 1) << answered.output;
+  }
+}
+
+TEST(docs_program, says_of_an_out_that_is_no_folder_why_no_site_can_be_made_there) {
+  if (!std::filesystem::exists(RAYPROOF_BIN_DIR "/rayproof-docs")) GTEST_SKIP() << "no Python";
+  const TemporaryFile file("");
+  for (const std::string& out : {std::string("/dev/null"), std::string("/proc/x"), file.path()}) {
+    const Ended answered = run_program("docs --out " + out);
+    if (answered.status == 69) GTEST_SKIP() << answered.output;
+    EXPECT_EQ(answered.status, 2) << answered.output;
+    EXPECT_NE(answered.output.find("cannot be made in --out " + out + ": "), std::string::npos)
         << answered.output;
     EXPECT_EQ(std::count(answered.output.begin(), answered.output.end(), '\n'), 1) << answered.output;
   }
