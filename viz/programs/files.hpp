@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -15,18 +16,16 @@
 
 namespace rayproof::viz {
 
-/// Throws WrongCommand where the file can't be written.
-inline void write_text(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream out(path, std::ios::binary);
-  out << text << std::flush;
-  if (!out) throw WrongCommand("the file " + path.string() + " can't be written");
-}
-
-/// With all folders above it. Throws WrongCommand where it can't be made.
-inline void make_folder(const std::filesystem::path& folder) {
-  std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
-  if (failure) throw WrongCommand("the folder " + folder.string() + " can't be made");
+/// Throws WrongCommand where the name of an option's file is that of another kind, as a.jpg for a PNG.
+inline void refuse_other_suffix(const std::string& option, const std::filesystem::path& file,
+                                const std::string& suffix) {
+  std::error_code error;
+  const bool is_device =
+      std::filesystem::exists(file, error) && !std::filesystem::is_regular_file(file, error);
+  std::string given = file.extension().string();
+  for (char& letter : given) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  if (!given.empty() && given != suffix && !is_device)
+    throw WrongCommand(fmt::format("{} {} must end in {}", option, file.string(), suffix));
 }
 
 /// Where a page goes that no option names: beside the findings of the run, "draw-12.html" for finding 12;

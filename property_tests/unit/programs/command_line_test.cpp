@@ -184,6 +184,20 @@ TEST(programs, name_what_is_given_an_empty_value) {
   }
 }
 
+TEST(programs, refuse_a_list_in_which_a_name_is_empty) {
+  for (const auto& [command, name] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"check --shape sphere,,plane", "--shape"},
+           {"check --method=centred,", "--method"},
+           {"spawn --strategy ,proven", "--strategy"},
+           {"cases --list --family far,,grazing", "--family"}}) {
+    const Ended answered = run_program(command);
+    EXPECT_EQ(answered.status, 2) << command;
+    EXPECT_NE(answered.output.find(std::string(": a name in ") + name + " is empty"), std::string::npos)
+        << command << answered.output;
+    EXPECT_EQ(std::count(answered.output.begin(), answered.output.end(), '\n'), 1) << answered.output;
+  }
+}
+
 TEST(programs, list_their_options) {
   for (const std::string program : {"oracle", "intersect", "methods"}) {
     const Ended help = run_program(program + " --help");

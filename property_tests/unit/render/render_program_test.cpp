@@ -127,7 +127,8 @@ TEST_F(RenderProgram, AWrongCommandLineEndsWith2AndOneSentence) {
        {scene, scene + png + " --method sphere/textbok", scene + png + " --method glm",
         scene + png + " --size 40", scene + png + " --size 0x3", scene + png + " --exact --error",
         scene + png + " --precision float16", scene + png + " --compare sphere/textbook",
-        scene + png + " --jobs 0", scene + " --out " + folder.string(),
+        scene + png + " --jobs 0", scene + " --out " + out("a.jpg"), scene + png + " --method box/slabs",
+        scene + png + " --error box/slabs", scene + " --out " + folder.string(),
         scene + " --out /no/such/folder/a.png", png, scene + png + " --error --size 9000x20"}) {
     const Ended ended = run(render + command);
     EXPECT_EQ(ended.status, 2) << command << "\n" << ended.output;

@@ -81,6 +81,21 @@ TEST_F(Programs, AWrongCommandLineEndsWith2AndOneSentence) {
   }
 }
 
+TEST_F(Programs, AFileNamedAsOneOfAnotherKindIsRefused) {
+  for (const auto& [command, sentence] : std::initializer_list<std::pair<std::string, const char*>>{
+           {draw + cancelling + "--svg x.txt", "rayproof draw: --svg x.txt must end in .svg\n"},
+           {draw + cancelling + "--png x.jpg", "rayproof draw: --png x.jpg must end in .png\n"},
+           {draw + cancelling + "--heat x.svg", "rayproof draw: --heat x.svg must end in .png\n"},
+           {draw + cancelling + "--html x.htm", "rayproof draw: --html x.htm must end in .html\n"},
+           {walk_program + "spheres --html a.html", "rayproof walk: --html a.html is one page, for "}}) {
+    const Ended ended = run("cd " + folder.string() + " && " + command);
+    EXPECT_EQ(ended.status, 2) << command;
+    EXPECT_EQ(ended.output.find(sentence), 0U) << ended.output;
+    EXPECT_TRUE(std::filesystem::is_empty(folder)) << command;
+  }
+  EXPECT_EQ(run(draw + cancelling + "--svg /dev/null").status, 0);
+}
+
 TEST_F(Programs, DrawWritesAPageAndAnSvg) {
   const Ended ended = run(draw + cancelling + "--method quadratic/textbook --svg " + file("a.svg") +
                           " --html " + file("a.html"));
