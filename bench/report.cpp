@@ -2,6 +2,7 @@
 /// rayproof report: speed against error, of every method in every arrangement, with other people's libraries
 /// and the floor beside them; and how times grow.
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -76,6 +77,9 @@ int run(const report::BenchOptions& options) {
   ProgressLine progress;
   report::Conclusions found{.figures = measured_or_read(options, progress)};
   const report::Measurements& figures = found.figures;
+  if (!is_interrupted && options.figures.empty() && figures.scaling.empty() &&
+      std::ranges::none_of(figures.rows, &report::BenchRow::has_errors))
+    throw std::runtime_error("nothing was measured: no method that is asked for answers these families");
   if (is_interrupted && figures.rows.empty() && figures.scaling.empty()) {
     fmt::print("interrupted before anything was measured: no page is written\n");
     return 130;
@@ -123,6 +127,9 @@ int main(int argc, char** argv) {
     if (!options.figures.empty())
       refuse_all_options_but(app, {"--figures", "--baseline", "--out", "--json"},
                              "--figures measures nothing");
+    if (!options.scaling.empty())
+      refuse_options(app, {"--shape", "--method", "--family", "--precision"},
+                     "--scaling measures curves alone");
     report::validate(options);
     return run(options);
   } catch (const std::exception& trouble) {
