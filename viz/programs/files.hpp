@@ -32,7 +32,7 @@ inline void refuse_other_suffix(const std::string& option, const std::filesystem
 /// empty for a case that is no finding of a run.
 inline std::string page_beside_findings(const CaseOptions& options, const std::string& program) {
   if (!finding_number(options.text)) return "";
-  const auto folder = std::filesystem::path(options.findings).parent_path();
+  const auto folder = std::filesystem::path(findings_named(options.findings)).parent_path();
   return (folder / fmt::format("{}-{}.html", program, options.text)).string();
 }
 

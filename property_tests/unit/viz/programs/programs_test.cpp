@@ -53,11 +53,20 @@ TEST_F(Programs, ExplainTakesAFileAFindingAndStandardInput) {
   std::ofstream(file("findings.jsonl")) << "\n" << finding << "\n" << finding << "\n";
   for (const std::string& command :
        {explain + file("findings.jsonl"), explain + file("findings.jsonl") + " --line 2",
+        explain + file("findings.jsonl") + " --line 3",
         "cat " + file("findings.jsonl") + " | " + explain + "-"}) {
     const Ended ended = run(command);
     EXPECT_EQ(ended.status, 0) << ended.output;
     EXPECT_EQ(ended.output.find("sphere/textbook"), 0U) << ended.output;
   }
+}
+
+TEST_F(Programs, ABlankLineAndOneBeyondTheLastAreNoCases) {
+  std::ofstream(file("cases.jsonl")) << "\n" << a_sphere.substr(1, a_sphere.size() - 3) << "\n";
+  const std::string asked = explain + file("cases.jsonl") + " --method sphere/textbook --line ";
+  EXPECT_EQ(run(asked + "1").output, "rayproof explain: line 1 of " + file("cases.jsonl") + " is blank\n");
+  EXPECT_EQ(run(asked + "2").status, 0);
+  EXPECT_EQ(run(asked + "3").output, "rayproof explain: " + file("cases.jsonl") + " has no line 3, only 2\n");
 }
 
 TEST_F(Programs, ARefusedCaseEndsWith1AndOneSentenceNamingTheField) {
