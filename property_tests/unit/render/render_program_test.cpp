@@ -52,6 +52,15 @@ TEST_F(RenderProgram, WritesAPngOfTheScenesSizeWithoutADisplay) {
   EXPECT_EQ(count_files(), 1U);
 }
 
+TEST_F(RenderProgram, WritesToAPipe) {
+  const std::string scene = write("scene.json", scene_text(sphere_entry));
+  const Ended ended = run("cd " + folder.string() + " && mkfifo pipe && cat pipe > copy.png & sleep 0.3; " +
+                          render + scene + " --size 5x5 --out " + out("pipe") + "; wait");
+  EXPECT_EQ(ended.status, 0) << ended.output;
+  EXPECT_EQ(png_size(out("copy.png")), std::pair(5U, 5U));
+  EXPECT_TRUE(std::filesystem::is_fifo(out("pipe")));
+}
+
 TEST_F(RenderProgram, DrawsErrorsWithTheirTotals) {
   const std::string scene = write("scene.json", scene_text(mixed_entries));
   for (const std::string how :

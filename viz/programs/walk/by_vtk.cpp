@@ -17,6 +17,9 @@ namespace rayproof::viz {
 
 #ifdef RAYPROOF_HAS_VTK
 void write_pngs(const std::vector<Walk>& walks, const std::string& folder, ProgressLine& progress) {
+  if (folder.ends_with(".png"))
+    throw WrongCommand("--png writes a picture for each step into a folder: " + folder +
+                       " names one picture");
   keep_on_interrupt();  // the picture under way is drawn
   const OffscreenDisplay display;
   SlideCanvas canvas;

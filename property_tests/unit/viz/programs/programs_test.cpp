@@ -96,6 +96,10 @@ TEST_F(Programs, AFileNamedAsOneOfAnotherKindIsRefused) {
            {draw + cancelling + "--png x.jpg", "rayproof draw: --png x.jpg must end in .png\n"},
            {draw + cancelling + "--heat x.svg", "rayproof draw: --heat x.svg must end in .png\n"},
            {draw + cancelling + "--html x.htm", "rayproof draw: --html x.htm must end in .html\n"},
+#ifdef RAYPROOF_HAS_VTK
+           {walk_program + "ray --png a.png",
+            "rayproof walk: --png writes a picture for each step into a folder"},
+#endif
            {walk_program + "spheres --html a.html", "rayproof walk: --html a.html is one page, for "}}) {
     const Ended ended = run("cd " + folder.string() + " && " + command);
     EXPECT_EQ(ended.status, 2) << command;
