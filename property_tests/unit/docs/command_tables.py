@@ -5,6 +5,7 @@ import re
 # What stands for something in capitals, in the order in which it is looked for.
 PLACEHOLDERS = [
     (r"--(replay|from) FILE", r"--\1 out/check/findings.jsonl"), (r"replay FILE", "replay out/check/findings.jsonl"),
+    (r"--(html|svg|png) FILE\b(?!\.)", r"--\1 file.\1"), (r"--heat FILE", "--heat file.png"),
     (r"\[FILE\]", "case.json"), (r"\[ARGUMENT…\]", ""), (r"\bFILE\.html\b", "page.html"), (r"\bFILE\b", "file.out"),
     (r"\b(SHAPE|TOPIC)/METHOD\b", "sphere/textbook"), (r"\bSCENE\.json\b", "docs/scenes/far-sphere.json"),
     (r"\bIMAGE(\.png)?\b", "image.png"), (r"\bCASE\b", "case.json"), (r"\bTOPIC\b", "sphere"), (r"\bDIR\b", "folder"),
