@@ -2,6 +2,7 @@
 /// rayproof report: speed against error, of every method in every arrangement, with other people's libraries
 /// and the floor beside them; and how times grow.
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -18,6 +19,7 @@
 #include "case/files.hpp"
 #include "command_line/command_line.hpp"
 #include "command_line/idle_options.hpp"
+#include "command_line/interrupt.hpp"
 #include "command_line/progress_line.hpp"
 #ifdef RAYPROOF_LEAVING
 #include "bench/leaving/leaving.hpp"
@@ -44,11 +46,11 @@ std::string write_leaving([[maybe_unused]] const report::BenchOptions& options,
 #ifdef RAYPROOF_LEAVING
   if (options.has_filter() || !options.scaling.empty() || !options.figures.empty()) return "";
   constexpr std::size_t hits = 16384;
-  const std::atomic<bool> never{false};
-  const leaving::SearchResult result =
-      leaving::search({.cases = std::min(options.rays, hits), .precisions = options.wanted_precisions()},
-                      never, [&](double done, const std::string& what) { progress.show(done, what); });
+  const leaving::SearchResult result = leaving::search(
+      {.cases = std::min(options.rays, hits), .precisions = options.wanted_precisions()}, is_interrupted,
+      [&](double done, const std::string& what) { progress.show(done, what); });
   progress.clear();
+  if (is_interrupted) return "";
   const std::filesystem::path file = std::filesystem::path(options.out) / "leaving.svg";
   write_file(file, report::leaving_svg(result));
   return "leaving the surface, over the size of the scene: " + file.string() + "\n";
@@ -60,8 +62,8 @@ std::string write_leaving([[maybe_unused]] const report::BenchOptions& options,
 report::Measurements measured_or_read(const report::BenchOptions& options, ProgressLine& progress) {
   if (!options.figures.empty()) return read_file(options.figures);
   const auto listener = [&](double done, const std::string& what) { progress.show(done, what); };
-  report::Measurements figures = report::measure(options, listener);
-  figures.scaling = report::measure_scaling(options, listener);
+  report::Measurements figures = report::measure(options, is_interrupted, listener);
+  figures.scaling = report::measure_scaling(options, is_interrupted, listener);
   progress.clear();
   return figures;
 }
@@ -71,9 +73,17 @@ int run(const report::BenchOptions& options) {
       options.baseline.empty() ? std::nullopt : std::optional(read_file(options.baseline));
   make_folder(options.out);
   expect_writable(options.json);
+  keep_on_interrupt();
   ProgressLine progress;
   report::Conclusions found{.figures = measured_or_read(options, progress)};
   const report::Measurements& figures = found.figures;
+  if (!is_interrupted && options.figures.empty() && figures.scaling.empty() &&
+      std::ranges::none_of(figures.rows, &report::BenchRow::has_errors))
+    throw std::runtime_error("nothing was measured: no method that is asked for answers these families");
+  if (is_interrupted && figures.rows.empty() && figures.scaling.empty()) {
+    fmt::print("interrupted before anything was measured: no page is written\n");
+    return 130;
+  }
   if (baseline) found.baseline = {report::compare(*baseline, figures), baseline->machine};
   found.summaries = report::summarise(figures.rows);
   found.choices = report::choose(figures.rows);
@@ -96,8 +106,9 @@ int run(const report::BenchOptions& options) {
     fmt::print("how times grow: {}\n", file.string());
   }
   for (const std::string& line : report::write_pngs(found.plots, out)) fmt::print("{}\n", line);
-  fmt::print("{}", write_leaving(options, progress));
-  return 0;
+  if (!is_interrupted) fmt::print("{}", write_leaving(options, progress));
+  if (is_interrupted) fmt::print("interrupted: only what is shown was measured\n");
+  return is_interrupted ? 130 : 0;
 }
 
 }  // namespace
@@ -116,6 +127,9 @@ int main(int argc, char** argv) {
     if (!options.figures.empty())
       refuse_all_options_but(app, {"--figures", "--baseline", "--out", "--json"},
                              "--figures measures nothing");
+    if (!options.scaling.empty())
+      refuse_options(app, {"--shape", "--method", "--family", "--precision"},
+                     "--scaling measures curves alone");
     report::validate(options);
     return run(options);
   } catch (const std::exception& trouble) {

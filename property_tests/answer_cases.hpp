@@ -50,20 +50,19 @@ class FunctionPanel {
   explicit FunctionPanel(FunctionOptions options) : options_(options) {}
 
   void add(Option /*has been read*/) {}
-  template <Function F>
+  template <class F>
   void add(F function) {
-    members_.push_back(std::make_unique<AnsweringFunction<F, Any>>(std::move(function), options_));
+    add(FunctionFor<Any, F>{std::move(function)});
   }
   template <class S, class F>
   void add(FunctionFor<S, F> given) {
-    FunctionOptions both = given.options;
-    for (const auto& [member, option] :
-         {std::pair(&FunctionOptions::needs_unit_direction, Option::unit_direction),
-          std::pair(&FunctionOptions::has_no_interval, Option::no_interval),
-          std::pair(&FunctionOptions::sees_whole_line, Option::whole_line),
-          std::pair(&FunctionOptions::has_no_transform, Option::no_transform)})
-      if (options_.*member) both.set(option);
-    members_.push_back(std::make_unique<AnsweringFunction<F, S>>(std::move(given.function), both));
+    static_assert(
+        Function<F>,
+        "answer_cases: this is no function, function object or lambda with parameters of its own (no "
+        "template, no auto, no overloads): wrap it in a lambda such as [](glm::vec3 origin, glm::vec3 "
+        "direction, glm::vec3 center, float radius) { ... }; docs/your-own-code.md, 'What it is asked', has "
+        "the parameters");
+    if constexpr (Function<F>) add_function(std::move(given));
   }
 
   /// Answers a line of the case format by a line.
@@ -86,6 +85,18 @@ class FunctionPanel {
   }
 
  private:
+  template <class S, class F>
+  void add_function(FunctionFor<S, F> given) {
+    FunctionOptions both = given.options;
+    for (const auto& [member, option] :
+         {std::pair(&FunctionOptions::needs_unit_direction, Option::unit_direction),
+          std::pair(&FunctionOptions::has_no_interval, Option::no_interval),
+          std::pair(&FunctionOptions::sees_whole_line, Option::whole_line),
+          std::pair(&FunctionOptions::has_no_transform, Option::no_transform)})
+      if (options_.*member) both.set(option);
+    members_.push_back(std::make_unique<AnsweringFunction<F, S>>(std::move(given.function), both));
+  }
+
   /// The function for a case: one of its precision, or else one of double, which takes floats as they are.
   [[nodiscard]] Answering* find(const Case& one) const {
     Answering* wider = nullptr;

@@ -59,6 +59,42 @@ std::vector<Precision> BenchOptions::wanted_precisions() const {
   return wanted;
 }
 
+namespace {
+
+/// Refuses methods and families that exclude each other: a method on no family that is asked for, a family
+/// without a method. What other libraries can be asked is known once they were.
+void demand_common_shapes(const BenchOptions& options) {
+  if (options.methods.empty() || options.families.empty()) return;
+  const auto has = [](const BenchOptions& narrow) {
+    for (const Family& family : families())
+      for (const Subject& subject : subjects())
+        if (subject.topic == family.topic && narrow.wants_family(family) &&
+            narrow.wants_method(subject.topic, subject.name))
+          return true;
+    return false;
+  };
+  const bool asks_peers =
+      std::ranges::any_of(peer_names, [&](const char* peer) { return contains(options.methods, peer); });
+  for (const std::string& method : options.methods) {
+    BenchOptions narrow = options;
+    narrow.methods = {method};
+    if (!contains({peer_names.begin(), peer_names.end()}, method) && !has(narrow))
+      throw UnknownFilterName(
+          fmt::format("--method {} answers no case of --family {}: there is nothing to measure", method,
+                      fmt::join(options.families, ",")));
+  }
+  for (const std::string& family : options.families) {
+    BenchOptions narrow = options;
+    narrow.families = {family};
+    if (!asks_peers && !has(narrow))
+      throw UnknownFilterName(
+          fmt::format("--family {} has no case for --method {}: there is nothing to measure", family,
+                      fmt::join(options.methods, ",")));
+  }
+}
+
+}  // namespace
+
 void validate(const BenchOptions& options) {
   std::vector<std::string> shapes;
   std::vector<std::string> names;
@@ -78,6 +114,7 @@ void validate(const BenchOptions& options) {
   }
   for (const char* const peer : peer_names) add_once(methods, peer);
   demand("--method", options.methods, methods);
+  demand_common_shapes(options);
 }
 
 }  // namespace rayproof::report

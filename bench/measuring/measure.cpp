@@ -90,7 +90,8 @@ void measure_family(const BenchOptions& options, const Family& family, Precision
 
 }  // namespace
 
-Measurements measure(const BenchOptions& options, const ProgressListener& listener) {
+Measurements measure(const BenchOptions& options, const std::atomic<bool>& stop,
+                     const ProgressListener& listener) {
   std::vector<const Family*> wanted;
   for (const Family& family : families()) {
     if (options.wants_rows() && options.wants_family(family)) wanted.push_back(&family);
@@ -101,6 +102,7 @@ Measurements measure(const BenchOptions& options, const ProgressListener& listen
   std::size_t done = 0;
   for (const Family* family : wanted) {
     for (const Precision precision : precisions) {
+      if (stop) return figures;
       const auto share = static_cast<double>(done++) / static_cast<double>(wanted.size() * precisions.size());
       listener(share, family->topic + " " + family->name + " " + name_of(precision));
       measure_family(options, *family, precision, figures.rows);

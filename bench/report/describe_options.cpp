@@ -16,7 +16,7 @@ constexpr const char* footer =
     "RAYPROOF_ISA=baseline, avx2 or\n"
     "avx512 chooses the instruction set of the batches.\n"
     "Exit status: 0 everything was measured and written; 2 wrong command line, or something could not be "
-    "read or written.";
+    "read or written; 130 interrupted.";
 
 }  // namespace
 

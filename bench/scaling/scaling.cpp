@@ -7,7 +7,8 @@
 
 namespace rayproof::report {
 
-std::vector<BenchRow> measure_scaling(const BenchOptions& options, const ProgressListener& listener) {
+std::vector<BenchRow> measure_scaling(const BenchOptions& options, const std::atomic<bool>& stop,
+                                      const ProgressListener& listener) {
   std::vector<ScalingStep> steps;
   const auto add = [&](const char* name, std::vector<ScalingStep> (*curve)(const BenchOptions&)) {
     if (options.wants_scaling(name)) std::ranges::move(curve(options), std::back_inserter(steps));
@@ -17,7 +18,7 @@ std::vector<BenchRow> measure_scaling(const BenchOptions& options, const Progres
   add("threads", threads_scaling);
 
   std::vector<BenchRow> rows;
-  for (std::size_t i = 0; i < steps.size(); ++i) {
+  for (std::size_t i = 0; i < steps.size() && !stop; ++i) {
     const BenchRow& pattern = steps[i].pattern;
     listener(static_cast<double>(i) / static_cast<double>(steps.size()),
              fmt::format("{} {} {}", pattern.family, pattern.shape, pattern.size));

@@ -20,8 +20,9 @@ struct ScalingStep {
 /// One batch of rays, or the rays through a scene, shared out to 1, 2, 4 … threads, up to the processor's.
 [[nodiscard]] std::vector<ScalingStep> threads_scaling(const BenchOptions& options);
 
-/// The curves that the options ask for.
+/// The curves that the options ask for; once `stop` is set, what was measured until then.
 [[nodiscard]] std::vector<BenchRow> measure_scaling(const BenchOptions& options,
+                                                    const std::atomic<bool>& stop,
                                                     const ProgressListener& listener);
 
 }  // namespace rayproof::report

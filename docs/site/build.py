@@ -87,11 +87,12 @@ def build(programs, work):
     shutil.rmtree(work, ignore_errors=True)
     for name in ["source", "static/katex", "extra/walk"]:
         (work / name).mkdir(parents=True)
+    # First, since the next call knows a folder that was begun by them.
+    for name in ["formulas.js", "site.css"]:
+        shutil.copy(SOURCE / "docs/site" / name, work / "static")
     shutil.copytree(KATEX / "fonts", work / "static/katex/fonts")
     for name in ["katex.min.js", "katex.min.css", "contrib/auto-render.js"]:
         shutil.copy(KATEX / name, work / "static/katex")
-    for name in ["formulas.js", "site.css"]:
-        shutil.copy(SOURCE / "docs/site" / name, work / "static")
     (work / "extra/index.html").write_text(FIRST + "\n")
     describe_library(work)
     gather(work / "source", Parts(programs, work / "extra/walk", work / "xml"))
@@ -114,6 +115,14 @@ def work_from_disk(static):
     script.write_text(module.read_text() + re.sub(r"^import .*\n", "", script.read_text()))
 
 
+def expect_a_site_or_nothing(out, given):
+    """Makes the folder, whose contents will be removed. Raises OSError where it is none and cannot be made."""
+    out.mkdir(parents=True, exist_ok=True)
+    if any(out.iterdir()) and not (out / "static/formulas.js").exists():
+        print(f"rayproof docs: --out {given} holds something else than a site", file=sys.stderr)
+        sys.exit(2)
+
+
 def main():
     parser = argparse.ArgumentParser(prog="rayproof docs", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--out", type=Path, default=SOURCE / "build/site", help="folder of what is built, removed first (build/site)")
@@ -123,11 +132,18 @@ def main():
         print(f"rayproof docs: needs the Debian packages {' '.join(missing)}", file=sys.stderr)
         sys.exit(69)
     out = options.out.resolve()
-    if out.exists() and any(out.iterdir()) and not (out / "static/formulas.js").exists():
-        print(f"rayproof docs: --out {options.out} holds something else than a site", file=sys.stderr)
-        sys.exit(2)
     programs = Path(os.environ.get("RAYPROOF_BIN", Path(sys.argv[0]).absolute().parent)).resolve()
-    if build(programs, out):
+    try:
+        expect_a_site_or_nothing(out, options.out)
+        failed = build(programs, out)
+    except (OSError, subprocess.CalledProcessError) as error:
+        # shutil.copytree hands over all that went wrong.
+        why = error.args[0][0][2] if isinstance(error, shutil.Error) else error
+        print(f"rayproof docs: the site cannot be made in --out {options.out}: {why}", file=sys.stderr)
+        sys.exit(2)
+    except KeyboardInterrupt:
+        sys.exit(130)
+    if failed:
         sys.exit(1)
     dead = dead_links(out / "html")
     for sentence in dead:

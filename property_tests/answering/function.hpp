@@ -38,6 +38,14 @@ template <class F, class Only>
 class AnsweringFunction final : public Answering {
   using Parameters = typename Signature<std::decay_t<F>>::Parameters;
   using Result = std::remove_cvref_t<typename Signature<std::decay_t<F>>::Result>;
+  static_assert(
+      are_given(std::type_identity<Parameters>{}),
+      "answer_cases: a parameter is none of those that a case gives: a ray (rayproof::Ray<T>, or origin and "
+      "direction), a number (float, double), a vector (glm::vec3, any class with x, y, z), bool, a list of "
+      "vectors, a shape of the library, glm::mat4; references that are not const are results. Wrap the "
+      "function in a lambda that takes those; docs/your-own-code.md, 'What it is asked', lists them");
+  static_assert(show_a_number(std::type_identity<Parameters>{}),
+                "answer_cases: no parameter is of float or double, in which the function computes");
   using Number = decltype(first_number(std::type_identity<Parameters>{}));
   static constexpr bool is_t_returned = std::floating_point<Result>;
   static constexpr Says said = []<class... P>(std::type_identity<std::tuple<P...>>) {
@@ -48,8 +56,11 @@ class AnsweringFunction final : public Answering {
     all.all_hits = all.all_hits || (numbers == 2 && !is_t_returned);
     return all;
   }(std::type_identity<Parameters>{});
-  static_assert(said.verdict || said.t,
-                "answer_cases: the function says neither t nor whether there is a hit");
+  static_assert(
+      said.verdict || said.t,
+      "answer_cases: the function says neither t nor whether there is a hit: it returns bool, a number t, "
+      "std::optional, a list of t or a structure with t or hit, or writes t to a float& or double&; "
+      "docs/your-own-code.md, 'What it says', lists the results");
 
  public:
   AnsweringFunction(F function, FunctionOptions options)

@@ -5,6 +5,7 @@
 #include <array>
 #include <span>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <vector>
 
@@ -95,22 +96,50 @@ template <class A>
     return typename StructureNumber<A>::Type{};
 }
 
+/// Whether every parameter is one that a case gives, or is written to.
+template <class... P>
+[[nodiscard]] constexpr bool are_given(std::type_identity<std::tuple<P...>>) {
+  return ((is_output<P> || letter_of<std::decay_t<P>>() != '\0') && ...);
+}
+
+/// Whether a parameter that is read shows which numbers the function computes with.
+template <class... P>
+[[nodiscard]] constexpr bool show_a_number(std::type_identity<std::tuple<P...>>) {
+  return (!std::is_void_v<decltype(number_shown<std::decay_t<P>>())> || ...);
+}
+
 /// The letters of the parameters that are read.
 template <class... P>
 [[nodiscard]] std::string pattern_of(std::type_identity<std::tuple<P...>>) {
   std::string pattern;
   const auto add = [&pattern]<class One>(std::type_identity<One>) {
-    if constexpr (!is_output<One>) {
-      static_assert(
-          letter_of<std::decay_t<One>>() != '\0',
-          "answer_cases: a parameter is no ray, vector, number, bool, list of vectors or shape of the "
-          "case format; wrap the function in a lambda that takes those");
-      pattern += letter_of<std::decay_t<One>>();
-    }
+    if constexpr (!is_output<One>) pattern += letter_of<std::decay_t<One>>();
   };
   (add(std::type_identity<P>{}), ...);
   return pattern;
 }
+
+/// A pattern in words: "a vector, a vector, a number".
+[[nodiscard]] inline std::string in_words(std::string_view pattern) {
+  std::string words;
+  for (const char letter : pattern) {
+    words += words.empty() ? "" : ", ";
+    words += letter == 'R'   ? "a ray"
+             : letter == 'M' ? "a matrix"
+             : letter == 'b' ? "a bool"
+             : letter == 'n' ? "a number"
+             : letter == 'v' ? "a vector"
+             : letter == 'p' ? "a vector of two numbers"
+             : letter == 'a' ? "three vectors"
+             : letter == 'V' ? "a list of vectors"
+             : letter == 'P' ? "a list of vectors of two numbers"
+                             : "a shape";
+  }
+  return words.empty() ? "nothing" : words;
+}
+
+/// What shows no number is refused where the function is made.
+[[nodiscard]] constexpr double first_number(std::type_identity<std::tuple<>>) { return 0; }
 
 /// The type of the numbers that a function computes with: that of the first parameter that shows one.
 template <class P, class... Rest>

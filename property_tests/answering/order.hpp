@@ -111,9 +111,11 @@ template <class Parameters, class Only>
     }
   });
   if (!is_found)
-    throw std::invalid_argument(
-        "answer_cases: no shape of the case format has the parameters of a function (pattern " + given +
-        "); docs/your-own-code.md lists them");
+    throw std::invalid_argument("answer_cases: a function takes " + in_words(given) +
+                                ", which no shape of the case format has; it may take a ray, or its origin "
+                                "and direction, and then a shape or "
+                                "its fields, as a vector and a number for a sphere: docs/your-own-code.md, "
+                                "'What it is asked', lists them");
   return orders;
 }
 

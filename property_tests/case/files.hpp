@@ -82,12 +82,6 @@ inline void finish(std::ostream& file, const std::filesystem::path& path) {
     throw std::runtime_error(path.string() + " cannot be written: is the disk full?");
 }
 
-inline void write_file(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream file = opened(path);
-  file << text;
-  finish(file, path);
-}
-
 /// Puts a whole file that stands beside `path` in its place, in one step; false where that can't be. A link
 /// goes on to lead to the file; what is no file (/dev/stdout, a pipe) is written to, and never replaced.
 [[nodiscard]] inline bool put_in_place(const std::filesystem::path& beside,
@@ -103,20 +97,24 @@ inline void write_file(const std::filesystem::path& path, const std::string& tex
   return !error;
 }
 
-/// Writes the file anew; whatever ends the program meanwhile, either the old or the new text stands there.
-inline void replace_file(const std::filesystem::path& path, const std::string& text) {
+/// Writes the file anew; whatever ends the program or fills the disk meanwhile, either the old or the new
+/// text stands there. What is no file (/dev/stdout, a pipe) is written to. Throws std::runtime_error.
+inline void write_file(const std::filesystem::path& path, const std::string& text) {
+  std::error_code error;
+  if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error)) {
+    std::ofstream file = opened(path);
+    return finish(file << text, path);
+  }
   // Beside the file itself where the path is a link: it cannot be moved from one disk to another.
-  std::error_code unresolved;
-  const std::filesystem::path place = std::filesystem::weakly_canonical(path, unresolved);
-  const bool is_there = !unresolved && std::filesystem::is_regular_file(place, unresolved);
+  const std::filesystem::path place = std::filesystem::weakly_canonical(path, error);
+  const bool is_there = !error && std::filesystem::is_regular_file(place, error);
   const std::filesystem::path beside = (is_there ? place : path).string() + ".new";
   bool is_written = false;
   {
-    std::ofstream file(beside);
+    std::ofstream file(beside, std::ios::binary);
     is_written = static_cast<bool>(file << text << std::flush);
   }
   is_written = is_written && put_in_place(beside, path);
-  std::error_code error;
   std::filesystem::remove(beside, error);
   if (is_written) return;
   throw std::runtime_error(path.string() +

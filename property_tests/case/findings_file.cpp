@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <filesystem>
 #include <sstream>
 
 #include "case/files.hpp"
@@ -20,12 +21,20 @@ std::optional<std::size_t> finding_number(const std::string& text) {
 std::vector<std::string> lines_in(const std::string& text) {
   std::istringstream in(text);
   std::vector<std::string> lines;
-  for (std::string line; std::getline(in, line);)
-    if (line.find_first_not_of(" \t\r") != std::string::npos) lines.push_back(line);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
   return lines;
 }
 
-std::string finding_line(const std::string& file, std::size_t number) {
+bool is_blank(const std::string& line) { return line.find_first_not_of(" \t\r") == std::string::npos; }
+
+std::string findings_named(const std::string& from) {
+  std::error_code error;
+  const std::filesystem::path path(from);
+  return std::filesystem::is_directory(path, error) ? (path / "findings.jsonl").string() : from;
+}
+
+std::string finding_line(const std::string& from, std::size_t number) {
+  const std::string file = findings_named(from);
   std::ifstream in(file, std::ios::binary);
   if (!is_readable(in, file)) {
     throw UnreadableCase(fmt::format(
@@ -33,8 +42,11 @@ std::string finding_line(const std::string& file, std::size_t number) {
         number, file));
   }
   std::vector<std::string> lines = lines_in(whole_text(in, file));
-  if (number <= lines.size()) return std::move(lines[number - 1]);
-  throw UnreadableCase(fmt::format("there is no finding {}: {} holds {}", number, file, lines.size()));
+  if (number > lines.size())
+    throw UnreadableCase(fmt::format("there is no finding {}: {} holds {}", number, file, lines.size()));
+  if (is_blank(lines[number - 1]))
+    throw UnreadableCase(fmt::format("there is no finding {}: that line of {} is blank", number, file));
+  return std::move(lines[number - 1]);
 }
 
 }  // namespace rayproof

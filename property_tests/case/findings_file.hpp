@@ -20,10 +20,14 @@ class UnreadableCase : public std::runtime_error {
 /// The number where the text is one, from 1 and of digits alone: "12" is finding 12, "./12" a file.
 [[nodiscard]] std::optional<std::size_t> finding_number(const std::string& text);
 
-/// The lines of the text that are not blank.
+/// The lines of the text as an editor numbers them, blank ones, too.
 [[nodiscard]] std::vector<std::string> lines_in(const std::string& text);
+[[nodiscard]] bool is_blank(const std::string& line);
 
-/// The finding of that number in the file of a run. Throws UnreadableCase.
-[[nodiscard]] std::string finding_line(const std::string& file, std::size_t number);
+/// The file of findings that --from names: itself, or the one in the folder of a run.
+[[nodiscard]] std::string findings_named(const std::string& from);
+
+/// The finding of that number in the file of a run, or in the run's folder. Throws UnreadableCase.
+[[nodiscard]] std::string finding_line(const std::string& from, std::size_t number);
 
 }  // namespace rayproof

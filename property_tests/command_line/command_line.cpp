@@ -62,6 +62,24 @@ std::optional<std::string> name_of_empty(const CLI::App& app) {
   return std::nullopt;
 }
 
+/// The option in whose list a name is empty, as by `--shape sphere,,plane`: CLI11 leaves that out.
+std::optional<std::string> name_of_list_with_empty(const CLI::App& app, int argc, const char* const* argv) {
+  const CLI::Option* asked = nullptr;
+  for (int i = 1; i < argc; ++i) {
+    std::string text = argv[i];
+    if (text.starts_with("--")) {
+      const std::size_t end = text.find('=');
+      asked = app.get_option_no_throw(text.substr(0, end));
+      if (end == std::string::npos) continue;
+      text.erase(0, end + 1);
+    }
+    const char comma = asked == nullptr ? '\0' : asked->get_delimiter();
+    if (comma != '\0' && (comma + text + comma).find({comma, comma}) != std::string::npos)
+      return asked->get_name();
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 CommandLine::CommandLine(std::string description, std::string program)
@@ -78,9 +96,11 @@ std::optional<int> parse_command_line(CommandLine& app, int argc, const char* co
   std::atexit(finish_output);
   try {
     app.parse(argc, argv);
-    const auto empty = name_of_empty(app);
+    const auto empty = name_of_empty(app), list = name_of_list_with_empty(app, argc, argv);
     if (empty) print_to_stderr("{}: {} is empty (--help says more)\n", app.get_name(), *empty);
-    return empty ? std::optional(2) : std::nullopt;
+    if (list && !empty)
+      print_to_stderr("{}: a name in {} is empty (--help says more)\n", app.get_name(), *list);
+    return empty || list ? std::optional(2) : std::nullopt;
   } catch (const CLI::Success& request) {  // --help
     return app.exit(request);
   } catch (const CLI::ParseError& mistake) {

@@ -23,7 +23,9 @@ std::vector<std::string> lines_of(const std::filesystem::path& file) {
   std::ifstream in(file);
   if (!is_readable(in, file))
     throw std::runtime_error(file.string() + " can't be read: it is written by rayproof check --subject");
-  return lines_in(whole_text(in, file.string()));
+  std::vector<std::string> lines = lines_in(whole_text(in, file.string()));
+  std::erase_if(lines, is_blank);
+  return lines;
 }
 
 JudgedShape judged_in(const std::string& line) {

@@ -6,23 +6,29 @@
 #include "dossier/bug_report.hpp"
 #include "programs/check/peers.hpp"
 #include "subjects/command.hpp"
-
-#include <filesystem>
+#include "subjects/subject.hpp"
 
 namespace {
 
 using namespace rayproof;
 
-int run(const std::string& number, std::string from) {
+int run(const std::string& number, const std::string& from) {
   const auto wanted = finding_number(number);
   if (!wanted) throw std::runtime_error(number + " is not the number of a finding");
-  if (std::filesystem::is_directory(from)) from += "/findings.jsonl";
   dossier::RecordedFinding recorded = dossier::read_recorded(finding_line(from, *wanted), *wanted);
   if (recorded.name == command_name) {
     print_to_stderr(
         "rayproof bugreport: nothing to file: finding {} is of a --subject-command, whose makers you know; "
         "rayproof explain and draw show it\n",
         *wanted);
+    return 1;
+  }
+  if (check::is_no_peer(recorded.name) && find_subject(recorded.shape + "/" + recorded.name) != nullptr) {
+    print_to_stderr(
+        "rayproof bugreport: nothing to file: finding {} is of this library's own method {}/{}, not of "
+        "somebody else's "
+        "library; rayproof explain and draw show it\n",
+        *wanted, recorded.shape, recorded.name);
     return 1;
   }
   const std::vector<check::Peer> peers = check::peers_called({recorded.name});

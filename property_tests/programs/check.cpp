@@ -33,6 +33,7 @@ int run(const check::Options& options) {
     });
   }
   Plan plan = guests.empty() ? make_plan(options.settings) : make_plan(options.settings, guests);
+  if (guests.empty()) expect_claimed(plan);
   plan.failures = std::move(failures);
   const std::vector<Case> corpus = check::read_corpus(options.corpus);
   make_folder(options.out);

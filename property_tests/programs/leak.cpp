@@ -36,8 +36,7 @@ int run(const leaks::LeakOptions& options) {
   for (const char* const own : {"index.html", "cases.jsonl"})
     refuse_one_file("--json", options.json, "--out", out / own);
   make_folder(out);
-  std::ofstream json;
-  if (!options.json.empty()) json = opened(options.json);
+  expect_writable(options.json);
   keep_on_interrupt();
   ProgressLine progress;
   const leaks::Result result =
@@ -46,7 +45,7 @@ int run(const leaks::LeakOptions& options) {
   progress.clear();
   write_file(out / "index.html", leaks::html_page(mesh, options.settings, result));
   write_file(out / "cases.jsonl", leaks::case_lines(result));
-  if (json.is_open()) finish(json << leaks::json_text(mesh, options.settings, result), options.json);
+  if (!options.json.empty()) write_file(options.json, leaks::json_text(mesh, options.settings, result));
   fmt::print("{}: {} triangles, closed; seed {}, {} rays for each precision\n\n{}\n", mesh.name,
              mesh.triangles.size(), options.settings.seed, options.settings.rays, leaks::text_table(result));
   const std::vector<std::string> broken = leaks::broken_promises(result);

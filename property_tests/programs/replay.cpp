@@ -13,7 +13,7 @@ int main(int argc, char** argv) {
   std::string what;
   std::string findings = rayproof::last_findings;
   app.add_option("WHAT", what, "The number of a finding, or a file of findings or cases")->required();
-  app.add_option("--from", findings, "The findings of the run whose number is given")
+  app.add_option("--from", findings, "The findings of the run whose number is given, or its folder")
       ->capture_default_str()
       ->type_name("FILE");
   app.footer("Exit status: 0 all is as the contracts declare, 1 not so, 2 wrong command line.");

@@ -3,7 +3,6 @@
 
 #include "case/files.hpp"
 #include "case/one_file.hpp"
-#include "case/writer.hpp"
 #include "command_line/command_line.hpp"
 #include "command_line/count_option.hpp"
 #include "command_line/interrupt.hpp"
@@ -47,18 +46,15 @@ int run(const SpawnOptions& options) {
   if (const std::string sentence = leaving::unknown_names(options.settings); !sentence.empty())
     throw std::runtime_error(sentence);
   refuse_one_file("--json", options.json, "--findings", options.findings);
-  std::ofstream json, findings;
-  if (!options.json.empty()) json = opened(options.json);
-  if (!options.findings.empty()) findings = opened(options.findings);
+  for (const std::string& file : {options.json, options.findings}) expect_writable(file);
   keep_on_interrupt();
   ProgressLine progress;
   const leaving::SearchResult result =
       leaving::search(options.settings, is_interrupted,
                       [&](double done, const std::string& what) { progress.show(done, what); });
   progress.clear();
-  for (const leaving::FalseHit& failure : result.failures) findings << write_case(failure.left) << '\n';
-  if (findings.is_open()) finish(findings, options.findings);
-  if (json.is_open()) finish(json << leaving::json_text(options.settings, result), options.json);
+  if (!options.findings.empty()) write_file(options.findings, leaving::case_lines(result));
+  if (!options.json.empty()) write_file(options.json, leaving::json_text(options.settings, result));
   const std::string tenfold = leaving::text_tenfold(result);
   fmt::print("seed {}, {} hits for each shape and precision\n\n{}\n{}\n{}{}{}", options.settings.seed,
              options.settings.cases, leaving::text_table(result), leaving::text_shapes(result), tenfold,

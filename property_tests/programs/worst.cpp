@@ -56,11 +56,13 @@ void describe(CLI::App& app, WorstOptions& options) {
       "Exit status: 0 no promise is exceeded; 1 one is; 2 wrong command line; 130 interrupted.");
 }
 
-/// The worst cases, a line each, and how many there are.
-std::size_t write_findings(const worst::WorstResult& result, std::ofstream& file) {
+/// Writes the worst cases, a line each; gives how many there are.
+std::size_t write_findings(const worst::WorstResult& result, const std::filesystem::path& file) {
   std::size_t number = 0;
+  std::string lines;
   for (const worst::WorstRow& row : result.rows)
-    if (row.found) file << write_finding(worst::finding_of(row, ++number)) << '\n';
+    if (row.found) lines += write_finding(worst::finding_of(row, ++number)) + '\n';
+  write_file(file, lines);
   return number;
 }
 
@@ -69,16 +71,14 @@ int run(const WorstOptions& options) {
   const std::filesystem::path name = std::filesystem::path(options.out) / "findings.jsonl";
   refuse_one_file("--json", options.json, "--out", name);
   make_folder(options.out);
-  std::ofstream findings = opened(name), json;
-  if (!options.json.empty()) json = opened(options.json);
+  for (const std::filesystem::path& file : {name, std::filesystem::path(options.json)}) expect_writable(file);
   keep_on_interrupt();
   ProgressLine progress;
   const worst::WorstResult result = worst::search(
       options.what, is_interrupted, [&](double done, const std::string& what) { progress.show(done, what); });
   progress.clear();
-  const std::size_t count = write_findings(result, findings);
-  finish(findings, name);
-  if (json.is_open()) finish(json << worst::json_text(options.what, result), options.json);
+  const std::size_t count = write_findings(result, name);
+  if (!options.json.empty()) write_file(options.json, worst::json_text(options.what, result));
   fmt::print("seed {}, {} cases by guided search, {} by draws alone\n\n{}\n{}", options.what.plan.seed,
              result.climbed, result.drawn, worst::text_table(result), worst::text_exceeded(result));
   fmt::print("{} worst cases: {}; rayproof explain N --from {} looks into one\n", count, name.string(),

@@ -89,6 +89,9 @@ void replay_line(const std::string& file, const std::string& line, std::size_t n
     if (subject->topic != topic_of(replayed.one))
       throw Refusal("case", "case is not one of the subject's topic");
     judge(*subject, *property, replayed.one, number, replays);
+  } catch (const program::CannotStart& silence) {  // the other lines may be of others
+    ++replays.otherwise;
+    fmt::print("{}  gives no answer: {}\n", number, silence.what());
   } catch (const Refusal& refusal) {
     print_to_stderr("{}:{}: {}\n", file, number, refusal.what());
     ++replays.refused;

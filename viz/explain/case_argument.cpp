@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iostream>
 
@@ -32,17 +33,22 @@ std::string read_all(const std::string& file) {
 
 }  // namespace
 
-std::string text_of_case(const std::string& argument, std::size_t line, const std::string& findings) {
+std::string text_of_case(const std::string& argument, std::optional<std::size_t> line,
+                         const std::string& findings) {
   if (const auto number = finding_number(argument)) return finding_line(findings, *number);
   const std::size_t first = argument.find_first_not_of(" \t\r\n");
   if (first != std::string::npos && argument[first] == '{') return argument;
   const std::string text = read_all(argument);
-  if (line == 1 && is_one_json_text(text)) return text;
+  if (!line && is_one_json_text(text)) return text;
   const std::vector<std::string> lines = lines_in(text);
-  if (line <= lines.size()) return lines[line - 1];
+  const auto first_case = std::ranges::find_if_not(lines, is_blank);
   const std::string file = argument == "-" ? "standard input" : argument;
-  throw UnreadableCase(lines.empty() ? fmt::format("{} holds no case", file)
-                                     : fmt::format("{} has no line {}, only {}", file, line, lines.size()));
+  if (first_case == lines.end()) throw UnreadableCase(fmt::format("{} holds no case", file));
+  if (!line) return *first_case;
+  if (*line > lines.size())
+    throw UnreadableCase(fmt::format("{} has no line {}, only {}", file, *line, lines.size()));
+  if (is_blank(lines[*line - 1])) throw UnreadableCase(fmt::format("line {} of {} is blank", *line, file));
+  return lines[*line - 1];
 }
 
 CaseArgument read_case_argument(std::string_view text, std::optional<Precision> precision) {

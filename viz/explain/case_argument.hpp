@@ -23,9 +23,9 @@ struct CaseArgument {
 };
 
 /// The text a CASE stands for: the argument itself where it begins with a brace; where it is a number, the
-/// finding of that number in the file `findings`; else the file's one JSON text, or its line number `line`
-/// (from 1, blank lines not counted). Throws UnreadableCase.
-[[nodiscard]] std::string text_of_case(const std::string& argument, std::size_t line,
+/// finding of that number in the file or folder `findings`; else the file's line `line`, from 1 as an editor
+/// counts; without one, its one JSON text, or its first line that is not blank. Throws UnreadableCase.
+[[nodiscard]] std::string text_of_case(const std::string& argument, std::optional<std::size_t> line = {},
                                        const std::string& findings = last_findings);
 
 /// The case, or the finding's, in its own precision or in the one given. Throws a Refusal.

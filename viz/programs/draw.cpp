@@ -20,7 +20,12 @@ using namespace rayproof;
 struct Files {
   std::string png{}, svg{}, html{}, heat{};
 
-  void refuse_one_for_two() const {
+  void refuse_wrong_names() const {
+    for (const auto& [option, file, suffix] : {std::tuple{"--png", png, ".png"},
+                                               {"--svg", svg, ".svg"},
+                                               {"--html", html, ".html"},
+                                               {"--heat", heat, ".png"}})
+      viz::refuse_other_suffix(option, file, suffix);
     const std::pair<const char*, const std::string&> all[] = {
         {"--png", png}, {"--svg", svg}, {"--html", html}, {"--heat", heat}};
     for (const auto* one = std::begin(all); one != std::end(all); ++one)
@@ -44,8 +49,8 @@ void write_picture(const viz::CaseReport& report, const std::string& path) {
 }
 
 void draw(const viz::CaseReport& report, const Files& files) {
-  if (!files.svg.empty()) viz::write_text(files.svg, viz::xml_head + viz::to_svg(viz::case_picture(report)));
-  if (!files.html.empty()) viz::write_text(files.html, viz::case_page(report));
+  if (!files.svg.empty()) write_file(files.svg, viz::xml_head + viz::to_svg(viz::case_picture(report)));
+  if (!files.html.empty()) write_file(files.html, viz::case_page(report));
   if (!files.png.empty()) write_picture(report, files.png);
 }
 
@@ -75,7 +80,7 @@ int main(int argc, char** argv) {
     if (!is_named) files.html = viz::page_beside_findings(options, "draw");
     if (!is_named && files.html.empty())
       throw viz::WrongCommand("nothing to write: give --png, --svg, --html or --heat and a file");
-    files.refuse_one_for_two();
+    files.refuse_wrong_names();
     const viz::CaseReport report = viz::report_case(options);
     if (!files.heat.empty()) viz::write_heat_map(report, files.heat);
     if (!(files.png + files.svg + files.html).empty()) draw(report, files);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -15,40 +16,44 @@
 
 namespace rayproof::viz {
 
-/// Throws WrongCommand where the file can't be written.
-inline void write_text(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream out(path, std::ios::binary);
-  out << text << std::flush;
-  if (!out) throw WrongCommand("the file " + path.string() + " can't be written");
+/// Whether a device, a pipe or a folder stands there.
+inline bool is_no_file(const std::filesystem::path& path) {
+  std::error_code error;
+  return std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error);
 }
 
-/// With all folders above it. Throws WrongCommand where it can't be made.
-inline void make_folder(const std::filesystem::path& folder) {
-  std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
-  if (failure) throw WrongCommand("the folder " + folder.string() + " can't be made");
+/// Throws WrongCommand where the name of an option's file is that of another kind, as a.jpg for a PNG.
+inline void refuse_other_suffix(const std::string& option, const std::filesystem::path& file,
+                                const std::string& suffix) {
+  std::string given = file.extension().string();
+  for (char& letter : given) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  if (!given.empty() && given != suffix && !is_no_file(file))
+    throw WrongCommand(fmt::format("{} {} must end in {}", option, file.string(), suffix));
 }
 
 /// Where a page goes that no option names: beside the findings of the run, "draw-12.html" for finding 12;
 /// empty for a case that is no finding of a run.
 inline std::string page_beside_findings(const CaseOptions& options, const std::string& program) {
   if (!finding_number(options.text)) return "";
-  const auto folder = std::filesystem::path(options.findings).parent_path();
+  const auto folder = std::filesystem::path(findings_named(options.findings)).parent_path();
   return (folder / fmt::format("{}-{}.html", program, options.text)).string();
 }
 
 /// A file beside the one asked for, which takes its name in one step at the end, or goes away with this
-/// object.
+/// object. What is no file, as /dev/null or a pipe, is written to at once.
 class PartialFile {
  public:
   /// Throws std::runtime_error with one sentence where the file can't be written.
   explicit PartialFile(const std::filesystem::path& asked)
-      : asked_(asked), partial_(fmt::format("{}.{}.part", asked.string(), getpid())) {
-    if (std::filesystem::is_directory(asked_) || !std::ofstream(partial_, std::ios::binary)) fail();
+      : asked_(asked),
+        partial_(is_no_file(asked) ? asked.string() : fmt::format("{}.{}.part", asked.string(), getpid())) {
+    std::error_code error;
+    if (std::filesystem::is_directory(asked_, error)) fail();
+    if (partial_ != asked_ && !std::ofstream(partial_, std::ios::binary)) fail();
   }
   ~PartialFile() {
     std::error_code ignored;
-    std::filesystem::remove(partial_, ignored);
+    if (partial_ != asked_) std::filesystem::remove(partial_, ignored);
   }
   PartialFile(const PartialFile&) = delete;
   PartialFile& operator=(const PartialFile&) = delete;
@@ -57,7 +62,7 @@ class PartialFile {
   [[nodiscard]] std::string path() const { return partial_.string(); }
 
   void keep() {
-    if (!put_in_place(partial_, asked_)) fail();
+    if (partial_ != asked_ && !put_in_place(partial_, asked_)) fail();
   }
 
  private:

@@ -23,20 +23,23 @@ namespace rayproof::viz {
 struct CaseOptions {
   std::string text{};                    ///< CASE
   std::string findings = last_findings;  ///< the file of the run whose finding a number names
-  std::size_t line = 1;
+  std::optional<std::size_t> line{};
   std::string method{};
   std::string precision{};
 
   /// --from, and the options that are given back, for a case alone.
   std::array<CLI::Option*, 3> add_choices_to(CLI::App& app, const std::string& which_method) {
     app_ = &app;
-    app.add_option("--from", findings, "The findings of the run whose number is given")
+    app.add_option("--from", findings, "The findings of the run whose number is given, or its folder")
         ->capture_default_str()
         ->type_name("FILE");
-    return {app.add_option("--line", line, "Which line of the file, from 1")->transform(whole_count()),
-            app.add_option("--method", method, which_method)->type_name("SHAPE/METHOD"),
-            app.add_option("--precision", precision, "Round the case to this in place of its own precision")
-                ->check(CLI::IsMember({"float32", "float64"}))};
+    return {
+        app.add_option("--line", line,
+                       "Which line of the file, from 1, blank ones counted; the first case where left out")
+            ->transform(whole_count()),
+        app.add_option("--method", method, which_method)->type_name("SHAPE/METHOD"),
+        app.add_option("--precision", precision, "Round the case to this in place of its own precision")
+            ->check(CLI::IsMember({"float32", "float64"}))};
   }
 
   void add_to(CLI::App& app) {

@@ -60,28 +60,42 @@ class Stills {
 #endif
 };
 
+/// A page for each walkthrough and a gallery of them. The script goes first, so that none is without it;
+/// after Ctrl-C the gallery shows those that were written.
+void write_gallery(const std::vector<viz::Walk>& walks, const std::filesystem::path& folder,
+                   const viz::Still& still, ProgressLine& progress) {
+  make_folder(folder);
+  write_file(folder / "walkthrough.js", viz::shared_script());
+  std::vector<viz::GalleryEntry> gallery;
+  for (const auto& [group, stage] : walks) {
+    if (is_interrupted) break;
+    const std::string file = stage.name + ".html";
+    progress.show(viz::share(gallery.size(), walks.size()), "page " + file);
+    write_file(folder / file, viz::stage_page(stage, still, {"index.html", "walkthrough.js"}));
+    gallery.push_back({group, file, &stage});
+  }
+  write_file(folder / "index.html", viz::gallery_page(gallery, still));
+  progress.clear();
+  if (gallery.size() < walks.size())
+    print_to_stderr("rayproof walk: interrupted: {} of {} pages are written, and {} shows those\n",
+                    gallery.size(), walks.size(), (folder / "index.html").string());
+}
+
 /// One page where the path is that of a page; else a folder of pages with a gallery. That of a finding opens
 /// where the answer was spoilt.
 void write_pages(const std::vector<viz::Walk>& walks, const std::string& path, bool is_finding,
                  ProgressLine& progress) {
+  const bool is_page = path.ends_with(".html");
+  if (is_page && walks.size() > 1)
+    throw viz::WrongCommand(
+        fmt::format("--html {} is one page, for {} walkthroughs: name a folder", path, walks.size()));
+  keep_on_interrupt();
   Stills stills;
   const viz::Still still = std::ref(stills);
-  if (walks.size() == 1 && path.ends_with(".html")) {
-    const viz::Stage& stage = walks.front().stage;
-    const std::size_t first = is_finding ? stage.decisive_step : 0;
-    return viz::write_text(path, viz::stage_page(stage, still, {.first_step = first}));
-  }
-  viz::make_folder(path);
-  const std::filesystem::path folder = path;
-  std::vector<viz::GalleryEntry> gallery;
-  for (const auto& [group, stage] : walks) {
-    const std::string file = stage.name + ".html";
-    progress.show(viz::share(gallery.size(), walks.size()), "page " + file);
-    viz::write_text(folder / file, viz::stage_page(stage, still, {"index.html", "walkthrough.js"}));
-    gallery.push_back({group, file, &stage});
-  }
-  viz::write_text(folder / "index.html", viz::gallery_page(gallery, still));
-  viz::write_text(folder / "walkthrough.js", viz::shared_script());
+  if (!is_page) return write_gallery(walks, path, still, progress);
+  const viz::Stage& stage = walks.front().stage;
+  const std::size_t first = is_finding ? stage.decisive_step : 0;
+  write_file(path, viz::stage_page(stage, still, {.first_step = first}));
 }
 
 /// What TOPIC may be: all, a group of topics, or a topic, each topic below its group.
@@ -146,9 +160,10 @@ int main(int argc, char** argv) {
       for (const viz::Walk& walk : walks) fmt::print("{}\n", viz::stage_json(walk.stage));
     }
     if (!options.html.empty()) write_pages(walks, options.html, !has_output, progress);
-    if (!options.png.empty()) write_pngs(walks, options.png, progress);
-    if (!options.movie.empty()) viz::write_movie(walks, options.movie, progress);
+    if (!options.png.empty() && !is_interrupted) write_pngs(walks, options.png, progress);
+    if (!options.movie.empty() && !is_interrupted) viz::write_movie(walks, options.movie, progress);
     progress.clear();
+    if (is_interrupted) return;
     if (!has_output) fmt::print("{}\n", options.html);
     if (options.is_window) {
       const bool is_case = !options.one.text.empty();

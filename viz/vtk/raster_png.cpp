@@ -9,9 +9,6 @@
 #include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <stdexcept>
 
 #include "case/files.hpp"
 
@@ -52,17 +49,8 @@ void write_png(const Raster& raster, const std::string& path) {
   writer->SetInputData(image_of(raster));
   writer->Write();
   vtkUnsignedCharArray& png = *writer->GetResult();
-
-  std::error_code error;
-  const bool is_in_place =
-      std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error);
-  const std::string beside = is_in_place ? path : path + ".part";
-  std::ofstream file(beside, std::ios::binary);
-  file.write(reinterpret_cast<const char*>(png.GetPointer(0)), png.GetNumberOfValues());
-  file.close();
-  if (file && (is_in_place || put_in_place(beside, path))) return;
-  if (!is_in_place) std::filesystem::remove(beside, error);
-  throw std::runtime_error("the file " + path + " can't be written");
+  const auto size = static_cast<std::size_t>(png.GetNumberOfValues());
+  write_file(path, {reinterpret_cast<const char*>(png.GetPointer(0)), size});
 }
 
 }  // namespace rayproof::viz

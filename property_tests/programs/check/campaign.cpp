@@ -51,6 +51,7 @@ std::string state_file(const Options& options) {
 }
 
 int run_campaign(const Options& options) {
+  expect_claimed(make_plan(options.settings));
   const campaign::CampaignState fresh = campaign::begin(options.settings, options.shard);
   make_folder(options.out);
   const FolderLock lock(options.out);

@@ -6,7 +6,6 @@
 #include <filesystem>
 
 #include "case/files.hpp"
-#include "case/writer.hpp"
 #include "command_line/interrupt.hpp"
 
 namespace rayproof::check {
@@ -34,9 +33,7 @@ std::optional<leaving::SearchResult> leave_surfaces(
 
 bool report_leaving(const Options& options, const leaving::SearchResult& result) {
   const std::filesystem::path file = std::filesystem::path(options.out) / "leaving.jsonl";
-  std::ofstream cases = opened(file);
-  for (const leaving::FalseHit& failure : result.failures) cases << write_case(failure.left) << '\n';
-  finish(cases, file);
+  write_file(file, leaving::case_lines(result));
   fmt::print("{}", leaving::text_brief(result));
   const std::vector<std::string> broken = leaving::broken_promises(result);
   for (const std::string& sentence : broken) fmt::print("FAILED: {}\n", sentence);

@@ -39,8 +39,7 @@ Outputs::Outputs(const Options& options) : folder_(options.out) {
   asked_path_ = options.findings;
   json_path_ = options.json;
   junit_path_ = options.junit;
-  open(json_, json_path_);
-  open(junit_, junit_path_);
+  for (const std::string& file : {json_path_, junit_path_}) expect_writable(file);
 }
 
 void Outputs::keep_as_found(const Finding& finding) { as_found_ << write_finding(finding) << std::endl; }
@@ -52,24 +51,24 @@ void Outputs::write(const Finding& finding) {
 }
 
 void Outputs::write(const Plan& plan, const RunResult& result, const Summary& summary) {
-  if (json_.is_open()) finish(json_ << json_report(plan, result, summary) << '\n', json_path_);
-  if (junit_.is_open()) finish(junit_ << junit_report(summary, result), junit_path_);
+  if (!json_path_.empty()) write_file(json_path_, json_report(plan, result, summary) + '\n');
+  if (!junit_path_.empty()) write_file(junit_path_, junit_report(summary, result));
   finish(as_found_, folder_ / "as-found.jsonl");
   std::string in_order;
   for (const Finding& finding : result.findings) in_order += write_finding(finding) + "\n";
   findings_.close();
-  replace_file(folder_ / "findings.jsonl", in_order);
+  write_file(folder_ / "findings.jsonl", in_order);
   if (asked_findings_.is_open()) finish(asked_findings_, asked_path_);
   // What was written at once had neither number nor diagnosis; a pipe has been read meanwhile.
   if (asked_findings_.is_open() && std::filesystem::is_regular_file(asked_path_)) {
     asked_findings_.close();
-    replace_file(asked_path_, in_order);
+    write_file(asked_path_, in_order);
   }
   if (const std::string judged = json_guests(plan, result); !judged.empty())
-    replace_file(folder_ / "judged.jsonl", judged);
-  replace_file(folder_ / "scene.js", viz::shared_script());
-  replace_file(folder_ / "index.html",
-               html_page(plan, result, summary, {folder_, viz::case_figure, viz::scene_style(), "scene.js"}));
+    write_file(folder_ / "judged.jsonl", judged);
+  write_file(folder_ / "scene.js", viz::shared_script());
+  write_file(folder_ / "index.html",
+             html_page(plan, result, summary, {folder_, viz::case_figure, viz::scene_style(), "scene.js"}));
 }
 
 }  // namespace rayproof::check

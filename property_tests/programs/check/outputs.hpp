@@ -10,8 +10,8 @@
 
 namespace rayproof::check {
 
-/// Opens the files at once, so that a bad name is known before the work and nothing is lost when it is cut
-/// short. Throws std::runtime_error with one sentence.
+/// Tries the files at once, so that a bad name is known before the work; findings are written as they come,
+/// so that none is lost when it is cut short. Throws std::runtime_error with one sentence.
 class Outputs {
  public:
   explicit Outputs(const Options& options);
@@ -27,8 +27,7 @@ class Outputs {
   std::ofstream findings_{};  ///< as they come; in order, and numbered by their lines, once the run ends
   std::ofstream asked_findings_{};  ///< the same for --findings
   std::filesystem::path asked_path_{};
-  std::filesystem::path json_path_{}, junit_path_{};
-  std::ofstream json_{}, junit_{};
+  std::string json_path_{}, junit_path_{};
 };
 
 }  // namespace rayproof::check

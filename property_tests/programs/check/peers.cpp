@@ -61,6 +61,10 @@ UnknownName nobody_called(const std::string& name, const std::vector<Entry>& kno
 
 }  // namespace
 
+bool is_no_peer(const std::string& name) {
+  return std::ranges::none_of(entries(), [&](const Entry& entry) { return entry.peer.name == name; });
+}
+
 std::vector<Peer> peers_called(const std::vector<std::string>& names) {
   const std::vector<Entry> known = entries();
   std::vector<Peer> called;

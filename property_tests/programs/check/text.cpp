@@ -19,10 +19,22 @@ std::string all_failures(const RunResult& result, const Summary& summary) {
   return text;
 }
 
+/// Throws where properties were asked for that ask nothing of these methods: that is no success.
+void expect_judged(const Plan& plan, const Summary& summary) {
+  if (plan.settings.properties.empty() || summary.was_interrupted) return;
+  for (const Row& row : summary.rows)
+    for (const Cell& cell : row.cells)
+      if (cell.status != ClaimStatus::unclaimed && cell.status != ClaimStatus::untested) return;
+  throw std::runtime_error(
+      fmt::format("nothing was judged: --property {} asks nothing of these methods in these cases",
+                  fmt::join(plan.settings.properties, ",")));
+}
+
 }  // namespace
 
 std::string text_outcome(const Options& options, const Plan& plan, const RunResult& result,
                          const Summary& summary) {
+  expect_judged(plan, summary);
   std::string text = fmt::format(
       "seed {}, {}{} cases for each method, family and precision, {} corpus cases\n", plan.settings.seed,
       plan.settings.time ? "at most " : "", plan.settings.cases, result.corpus_cases);

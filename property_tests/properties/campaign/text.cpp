@@ -177,7 +177,7 @@ CampaignState read_state(const std::string& text) {
   }
 }
 
-void save(const CampaignState& state, const std::string& file) { replace_file(file, write_state(state)); }
+void save(const CampaignState& state, const std::string& file) { write_file(file, write_state(state)); }
 
 CampaignState load(const std::string& file) {
   std::ifstream in = opened_to_read(file);

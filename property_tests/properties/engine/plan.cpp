@@ -1,6 +1,7 @@
 #include "properties/engine/plan.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
@@ -54,6 +55,29 @@ const Refutation* declared_refutation(const Subject& subject, const Property& pr
   for (const Refutation& one : subject.contract.refuted)
     if (!one.because.empty() && one.claim == property.claim) return &one;
   return nullptr;
+}
+
+void expect_claimed(const Plan& plan) {
+  const Settings& settings = plan.settings;
+  if (settings.properties.empty()) return;
+  const auto is_judged = [&](const std::vector<std::string>& methods,
+                             const std::vector<std::string>& wanted) {
+    for (const Subject* subject : plan.subjects)
+      for (const Property& one : properties())
+        if (is_wanted(methods, {subject->name, subject->full_name()}) &&
+            is_wanted(wanted, {one.name, claim_name(one.claim)}) &&
+            (claims(*subject, one) || is_declared_refuted(*subject, one)))
+          return true;
+    return false;
+  };
+  constexpr const char* more = "there is nothing to check; rayproof methods --json has what each claims";
+  for (const std::string& method : settings.methods)
+    if (!is_judged({method}, settings.properties))
+      throw UnknownName(
+          fmt::format("{} does not claim {}: {}", method, fmt::join(settings.properties, " or "), more));
+  for (const std::string& property : settings.properties)
+    if (!is_judged({}, {property}))
+      throw UnknownName(fmt::format("no method that is asked for claims {}: {}", property, more));
 }
 
 Plan make_plan(const Settings& settings, const std::vector<Subject>& all_subjects) {

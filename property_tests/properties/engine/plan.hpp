@@ -52,6 +52,10 @@ class UnknownName : public std::runtime_error {
 /// Whether the subject holds itself to the property.
 [[nodiscard]] bool claims(const Subject& subject, const Property& property);
 
+/// Throws UnknownName where a property or a method that the settings name would be judged by nothing, since
+/// the contracts say nothing of it.
+void expect_claimed(const Plan& plan);
+
 /// What its contract says of how the subject breaks the property; null where it says nothing.
 [[nodiscard]] const Refutation* declared_refutation(const Subject& subject, const Property& property);
 [[nodiscard]] inline bool is_declared_refuted(const Subject& subject, const Property& property) {

@@ -123,6 +123,12 @@ std::string text_tenfold(const SearchResult& result) {
          "which the offset of\nproven is at least ten times smaller.\n";
 }
 
+std::string case_lines(const SearchResult& result) {
+  std::string lines;
+  for (const FalseHit& failure : result.failures) lines += write_case(failure.left) + '\n';
+  return lines;
+}
+
 std::string text_failures(const SearchResult& result) {
   std::string text;
   for (const FalseHit& failure : result.failures)

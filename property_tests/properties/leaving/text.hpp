@@ -17,6 +17,8 @@ namespace rayproof::leaving {
 [[nodiscard]] std::string text_tenfold(const SearchResult& result);
 /// The failures, each with its smallest case.
 [[nodiscard]] std::string text_failures(const SearchResult& result);
+/// The failing rays as cases, one a line.
+[[nodiscard]] std::string case_lines(const SearchResult& result);
 /// What the proven strategies promise and do not keep, and what a strategy is known to do and did not.
 [[nodiscard]] std::vector<std::string> broken_promises(const SearchResult& result);
 /// One JSON object: for each strategy, precision and decade of the scene's size, the counts and offsets.

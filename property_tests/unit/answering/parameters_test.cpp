@@ -67,7 +67,16 @@ TEST(parameters_of_a_function, may_be_the_transform_and_then_the_ray_is_in_the_w
 }
 
 TEST(parameters_of_a_function, that_name_no_shape_of_the_format_are_refused_in_one_sentence) {
-  EXPECT_THROW((void)answer_of(plane, [](D3, D3, double, double) { return 1.0; }), std::invalid_argument);
+  const auto two_numbers = [](D3, D3, double, double) { return 1.0; };
+  try {
+    (void)answer_of(plane, two_numbers);
+    ADD_FAILURE() << "not refused";
+  } catch (const std::invalid_argument& why) {
+    const std::string words = why.what();
+    EXPECT_NE(words.find("takes a vector, a vector, a number, a number, which no shape"), std::string::npos)
+        << words;
+    EXPECT_NE(words.find("docs/your-own-code.md"), std::string::npos) << words;
+  }
 }
 
 TEST(parameters_of_a_function, that_look_like_several_shapes_mean_no_plane_unless_it_is_named) {

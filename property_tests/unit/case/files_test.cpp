@@ -26,31 +26,31 @@ std::string text_of(const fs::path& path) {
   return whole_text(in, path.string());
 }
 
-TEST(replace_file, leaves_a_link_a_link_to_the_new_text) {
+TEST(write_file, leaves_a_link_a_link_to_the_new_text) {
   const Folder folder;
   write_file(folder.path / "file", "old");
   fs::create_symlink("file", folder.path / "link");
-  replace_file(folder.path / "link", "new");
+  write_file(folder.path / "link", "new");
   EXPECT_TRUE(fs::is_symlink(folder.path / "link"));
   EXPECT_EQ(text_of(folder.path / "file"), "new");
 }
 
-TEST(replace_file, writes_to_a_pipe_and_leaves_it_a_pipe) {
+TEST(write_file, writes_to_a_pipe_and_leaves_it_a_pipe) {
   const Folder folder;
   const fs::path pipe = folder.path / "pipe";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   std::fstream reader(pipe, std::ios::in | std::ios::out);  // open at both ends, so that nobody waits
-  replace_file(pipe, "new\n");
+  write_file(pipe, "new\n");
   std::string line;
   std::getline(reader, line);
   EXPECT_EQ(line, "new");
   EXPECT_TRUE(fs::is_fifo(pipe));
 }
 
-TEST(replace_file, leaves_nothing_beside_the_file) {
+TEST(write_file, leaves_nothing_beside_the_file) {
   const Folder folder;
-  replace_file(folder.path / "file", "new");
-  EXPECT_THROW(replace_file(folder.path / "no folder" / "file", "new"), std::runtime_error);
+  write_file(folder.path / "file", "new");
+  EXPECT_THROW(write_file(folder.path / "no folder" / "file", "new"), std::runtime_error);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path), {}), 1);
 }
 

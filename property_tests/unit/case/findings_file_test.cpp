@@ -15,15 +15,20 @@ TEST(FindingsFile, ANumberIsDigitsAloneAndNotZero) {
     EXPECT_FALSE(finding_number(text)) << text;
 }
 
-TEST(FindingsFile, BlankLinesAreNotCounted) {
-  EXPECT_EQ(lines_in("a\n\n \t\r\nb"), (std::vector<std::string>{"a", "b"}));
-  EXPECT_TRUE(lines_in("\n\n").empty());
+TEST(FindingsFile, BlankLinesAreCountedAsAnEditorDoes) {
+  EXPECT_EQ(lines_in("a\n\nb\n"), (std::vector<std::string>{"a", "", "b"}));
+  EXPECT_TRUE(lines_in("").empty());
+  for (const char* blank : {"", " \t\r"}) EXPECT_TRUE(is_blank(blank));
+  EXPECT_FALSE(is_blank(" {}"));
 }
 
 TEST(FindingsFile, FindingNIsLineNAndWhatIsMissingIsNamed) {
-  const auto file = std::filesystem::path(testing::TempDir()) / ("findings_" + std::to_string(::getpid()));
-  std::ofstream(file) << "first\nsecond\n";
-  EXPECT_EQ(finding_line(file.string(), 2), "second");
+  const auto folder = std::filesystem::path(testing::TempDir()) / ("findings_" + std::to_string(::getpid()));
+  const auto file = folder / "findings.jsonl";
+  std::filesystem::create_directories(folder);
+  std::ofstream(file) << "first\n\nthird\n";
+  EXPECT_EQ(finding_line(file.string(), 3), "third");
+  EXPECT_EQ(finding_line(folder.string(), 3), "third");
   const auto complaint = [](const std::string& name, std::size_t number) -> std::string {
     try {
       return finding_line(name, number);
@@ -31,9 +36,11 @@ TEST(FindingsFile, FindingNIsLineNAndWhatIsMissingIsNamed) {
       return why.what();
     }
   };
-  EXPECT_EQ(complaint(file.string(), 3), "there is no finding 3: " + file.string() + " holds 2");
+  EXPECT_EQ(complaint(file.string(), 4), "there is no finding 4: " + file.string() + " holds 3");
+  EXPECT_EQ(complaint(file.string(), 2),
+            "there is no finding 2: that line of " + file.string() + " is blank");
   EXPECT_NE(complaint("no/such/file", 1).find("no/such/file can't be read"), std::string::npos);
-  std::filesystem::remove(file);
+  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

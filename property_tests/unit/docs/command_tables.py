@@ -5,6 +5,7 @@ import re
 # What stands for something in capitals, in the order in which it is looked for.
 PLACEHOLDERS = [
     (r"--(replay|from) FILE", r"--\1 out/check/findings.jsonl"), (r"replay FILE", "replay out/check/findings.jsonl"),
+    (r"--(html|svg|png) FILE\b(?!\.)", r"--\1 file.\1"), (r"--heat FILE", "--heat file.png"),
     (r"\[FILE\]", "case.json"), (r"\[ARGUMENT…\]", ""), (r"\bFILE\.html\b", "page.html"), (r"\bFILE\b", "file.out"),
     (r"\b(SHAPE|TOPIC)/METHOD\b", "sphere/textbook"), (r"\bSCENE\.json\b", "docs/scenes/far-sphere.json"),
     (r"\bIMAGE(\.png)?\b", "image.png"), (r"\bCASE\b", "case.json"), (r"\bTOPIC\b", "sphere"), (r"\bDIR\b", "folder"),
@@ -17,9 +18,9 @@ SMALLER = [(r"rayproof check\b(?!.*--replay\b)", "--cases", "200"), (r"rayproof 
            (r"rayproof render\b(?!.*--case\b)", "--size", "240x135"), (r"rayproof leak\b", "--rays", "5000")]
 ADDED = [(r"rayproof check\b(?!.*--(shape|topic|method|replay)\b)", "--topic quadratic"),
          (r"rayproof spawn\b(?!.*--strategy\b)", "--strategy proven"),  # the others' smallest cases take seconds to find
-         (r"rayproof report\b(?!.*--(figures|shape|topic)\b)", "--shape quadratic"),
-         (r"rayproof report\b(?!.*--(figures|family)\b)", "--family random"),
-         (r"rayproof report\b(?!.*--(figures|precision)\b)", "--precision float32")]
+         (r"rayproof report\b(?!.*--(figures|scaling|shape|topic)\b)", "--shape quadratic"),
+         (r"rayproof report\b(?!.*--(figures|scaling|family)\b)", "--family random"),
+         (r"rayproof report\b(?!.*--(figures|scaling|precision)\b)", "--precision float32")]
 # A check of all methods; a test of the whole check runs one.
 ANY_CHECK = re.compile(r"(?:\./)?rayproof check")
 # What does the same on every page, so that no later command of the page needs it: run for the first page that has it.

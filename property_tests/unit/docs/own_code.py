@@ -65,6 +65,21 @@ def check_lambdas(page, folder, source, faults):
     faults.expect([json.loads(line) for line in ended.stdout.splitlines()] == wanted, f"the lambdas say {ended.stdout}{ended.stderr}")
 
 
+REFUSED = {"[](auto o, auto d, glm::vec3 c, float r) { return o.x + d.x + c.x + r; }": "with parameters of its own",
+           "[](glm::vec3 o, glm::vec3 d, int shape) { return o.x + d.x + shape; }": "a parameter is none of those that a case gives",
+           "[](glm::vec3, glm::vec3, glm::vec3, float) {}": "neither t nor whether there is a hit"}
+
+
+def check_refused(folder, source, faults):
+    """What answer_cases cannot take is refused by the compiler in words that name the page."""
+    for function, words in REFUSED.items():
+        (folder / "refused.cpp").write_text(f'#include "answer_cases.hpp"\nint main() {{ return rayproof::answer_cases({function}); }}\n')
+        compiler = os.environ.get("CXX", "g++")
+        ended = run(f"{compiler} -std=c++20 -fsyntax-only -I {source}/property_tests -I {source}/lib/include refused.cpp", folder, shell=True)
+        first = next((line for line in ended.stderr.splitlines() if "error:" in line), "nothing")
+        faults.expect(ended.returncode != 0 and words in first and "docs/your-own-code.md" in first, f"{function}: {first}")
+
+
 def compare(block, printed, faults):
     """Each line of the block is printed, or is the end of one, in its order; numbers apart."""
     lines = iter(NUMBER.sub("#", line) for line in printed.splitlines())
@@ -93,6 +108,7 @@ def main():
         faults.expect(ended.returncode == 1, f"the wrong function ends with {ended.returncode}")
         compare(wrong[:2], ended.stdout, faults)
         check_lambdas(page, Path(folder), source, faults)
+        check_refused(Path(folder), source, faults)
     faults.end()
 
 

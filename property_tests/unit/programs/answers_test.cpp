@@ -112,6 +112,18 @@ TEST(replay_program, takes_no_silence_of_a_program_for_a_right_answer) {
   EXPECT_NE(answered.output.find("0 as declared, 1 otherwise"), std::string::npos) << answered.output;
 }
 
+TEST(replay_program, judges_the_other_lines_where_a_program_cannot_be_started) {
+  const std::string line =
+      R"({"subject": "sphere/command", "command": "/no/such/program", "case_seconds": 2, "property": "verdict", "case": )" +
+      std::string(sphere_case) + "}\n";
+  const TemporaryFile findings(line + sphere_case + "\n" + line);
+  const Ended answered = run_program("replay " + findings.path());
+  EXPECT_EQ(answered.status, 1) << answered.output;
+  for (const std::string said :
+       {"1  gives no answer: ", " claims hold on ", "3  gives no answer: ", ", 2 otherwise, "})
+    EXPECT_NE(answered.output.find(said), std::string::npos) << answered.output;
+}
+
 TEST(cases_program, begins_at_once_however_many_are_asked_for) {
   const Ended answered = run_program("cases --count 1e12 --shape plane | head -n 300 | tail -n 1");
   EXPECT_EQ(answered.output, run_program("cases --count 300 --shape plane | head -n 300 | tail -n 1").output);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "unit/command.hpp"
 #include "unit/programs/program_run.hpp"
@@ -69,6 +70,19 @@ TEST(programs, say_of_a_folder_that_cannot_be_made_what_it_is) {
   }
 }
 
+TEST(docs_program, says_of_an_out_that_is_no_folder_why_no_site_can_be_made_there) {
+  if (!std::filesystem::exists(RAYPROOF_BIN_DIR "/rayproof-docs")) GTEST_SKIP() << "no Python";
+  const TemporaryFile file("");
+  for (const std::string& out : {std::string("/dev/null"), std::string("/proc/x"), file.path()}) {
+    const Ended answered = run_program("docs --out " + out);
+    if (answered.status == 69) GTEST_SKIP() << answered.output;
+    EXPECT_EQ(answered.status, 2) << answered.output;
+    EXPECT_NE(answered.output.find("cannot be made in --out " + out + ": "), std::string::npos)
+        << answered.output;
+    EXPECT_EQ(std::count(answered.output.begin(), answered.output.end(), '\n'), 1) << answered.output;
+  }
+}
+
 TEST(check_program, refuses_one_file_for_two_outputs) {
   const std::string out = testing::TempDir() + "rayproof_one_file",
                     few = "check --method plane/implicit --cases 10 --out " + out;
@@ -124,8 +138,8 @@ TEST(programs, end_with_2_where_their_output_is_lost) {
 }
 
 TEST(programs, refuse_a_folder_in_place_of_a_file) {
-  for (const std::string command : {"oracle /", "replay /", "replay 1 --from /", "check --replay /",
-                                    "check --corpus / --cases 1 --shape quadratic"}) {
+  for (const std::string command :
+       {"oracle /", "replay /", "check --replay /", "check --corpus / --cases 1 --shape quadratic"}) {
     const Ended answered = run_program(command);
     EXPECT_EQ(answered.status, 2) << command;
     EXPECT_NE(answered.output.find("/ ca"), std::string::npos) << answered.output;
@@ -138,6 +152,41 @@ TEST(programs, refuse_a_file_that_never_ends) {
     const Ended answered = run_program(command);
     EXPECT_EQ(answered.status, 2) << command;
     EXPECT_NE(answered.output.find("/dev/zero h"), std::string::npos) << answered.output;
+    EXPECT_EQ(std::count(answered.output.begin(), answered.output.end(), '\n'), 1) << answered.output;
+  }
+}
+
+TEST(programs, take_the_folder_of_a_run_for_its_findings) {
+  for (const std::string program : {"replay", "explain", "draw", "walk", "bugreport"}) {
+    if (!std::filesystem::exists(RAYPROOF_BIN_DIR "/rayproof-" + program)) continue;
+    const Ended answered = run_program(program + " 1 --from /no");
+    EXPECT_NE(answered.output.find("there is no finding 1: /no can't be read"), std::string::npos)
+        << answered.output;
+    const Ended folder = run_program(program + " 1 --from /");
+    EXPECT_EQ(folder.status, 2) << program;
+    EXPECT_NE(folder.output.find("there is no finding 1: /findings.jsonl can't be read"), std::string::npos)
+        << folder.output;
+  }
+}
+
+TEST(programs, end_with_2_where_nothing_is_left_to_measure_or_to_check) {
+  for (const auto& [command, sentence] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"report --quick --method sphere/centred --family slivers",
+            "--method sphere/centred answers no case of --family slivers: there is nothing to measure"},
+           {"report --quick --method centred,stable --family grazing,slivers",
+            "--family slivers has no case for --method centred,stable: there is nothing to measure"},
+           {"report --quick --scaling threads --method centred", "leave --method out"},
+           {"check --method sphere/centred --property ulp", "sphere/centred does not claim ulp"},
+           {"check --campaign --method sphere/centred --property ulp", "sphere/centred does not claim ulp"},
+           {"check --method sphere/centred --property sure --cases 100",
+            "nothing was judged: --property sure"},
+           {"check --shape quadratic --property verdict,normal", "no method that is asked for claims normal"},
+           {"bench --nope", "--nope"}}) {
+    const std::string program(command, 0, std::string(command).find(' '));
+    if (!std::filesystem::exists(RAYPROOF_BIN_DIR "/rayproof-" + program)) continue;
+    const Ended answered = run_program(command);
+    EXPECT_EQ(answered.status, 2) << command;
+    EXPECT_NE(answered.output.find(sentence), std::string::npos) << answered.output;
     EXPECT_EQ(std::count(answered.output.begin(), answered.output.end(), '\n'), 1) << answered.output;
   }
 }
@@ -165,6 +214,20 @@ TEST(programs, name_what_is_given_an_empty_value) {
     const Ended answered = run_program(command);
     EXPECT_EQ(answered.status, 2) << command;
     EXPECT_NE(answered.output.find(std::string(": ") + name + " is empty"), std::string::npos)
+        << command << answered.output;
+    EXPECT_EQ(std::count(answered.output.begin(), answered.output.end(), '\n'), 1) << answered.output;
+  }
+}
+
+TEST(programs, refuse_a_list_in_which_a_name_is_empty) {
+  for (const auto& [command, name] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"check --shape sphere,,plane", "--shape"},
+           {"check --method=centred,", "--method"},
+           {"spawn --strategy ,proven", "--strategy"},
+           {"cases --list --family far,,grazing", "--family"}}) {
+    const Ended answered = run_program(command);
+    EXPECT_EQ(answered.status, 2) << command;
+    EXPECT_NE(answered.output.find(std::string(": a name in ") + name + " is empty"), std::string::npos)
         << command << answered.output;
     EXPECT_EQ(std::count(answered.output.begin(), answered.output.end(), '\n'), 1) << answered.output;
   }

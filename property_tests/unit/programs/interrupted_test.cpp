@@ -38,5 +38,30 @@ TEST(Interrupted, LeakSaysOfWhatWasJudgedThatNobodyLeaks) {
   EXPECT_EQ(ended.status, 130);
 }
 
+TEST(Interrupted, ReportSaysThatItMeasuredNoMoreThanItShows) {
+  if (!std::filesystem::exists(RAYPROOF_BIN_DIR "/rayproof-report")) GTEST_SKIP() << "report is not built";
+  const test::Ended ended = interrupted("report --shape plane");
+  EXPECT_NE(ended.output.find("interrupted"), std::string::npos) << ended.output;
+  EXPECT_EQ(ended.status, 130);
+}
+
+TEST(Interrupted, WalkLeavesPagesWithTheirScriptAndAGalleryOfThem) {
+  if (!std::filesystem::exists(RAYPROOF_BIN_DIR "/rayproof-walk")) GTEST_SKIP() << "walk is not built";
+  const std::filesystem::path folder =
+      testing::TempDir() + "rayproof_interrupted_walk_" + std::to_string(::getpid());
+  std::filesystem::remove_all(folder);
+  const test::Ended ended =
+      test::run("env -u DISPLAY " RAYPROOF_BIN_DIR "/rayproof-walk all --html " + folder.string() +
+                " & walk=$!; while [ -d /proc/$walk ] && ! ls " + folder.string() +
+                "/*.html >/dev/null 2>&1; do sleep 0.02; done; kill -INT $walk; wait $walk");
+  EXPECT_EQ(ended.status, 130) << ended.output;
+  EXPECT_NE(ended.output.find(" pages are written, and " + (folder / "index.html").string() + " shows those"),
+            std::string::npos)
+      << ended.output;
+  EXPECT_TRUE(std::filesystem::exists(folder / "walkthrough.js"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "index.html"));
+  std::filesystem::remove_all(folder);
+}
+
 }  // namespace
 }  // namespace rayproof

@@ -52,6 +52,15 @@ TEST_F(RenderProgram, WritesAPngOfTheScenesSizeWithoutADisplay) {
   EXPECT_EQ(count_files(), 1U);
 }
 
+TEST_F(RenderProgram, WritesToAPipe) {
+  const std::string scene = write("scene.json", scene_text(sphere_entry));
+  const Ended ended = run("cd " + folder.string() + " && mkfifo pipe && cat pipe > copy.png & sleep 0.3; " +
+                          render + scene + " --size 5x5 --out " + out("pipe") + "; wait");
+  EXPECT_EQ(ended.status, 0) << ended.output;
+  EXPECT_EQ(png_size(out("copy.png")), std::pair(5U, 5U));
+  EXPECT_TRUE(std::filesystem::is_fifo(out("pipe")));
+}
+
 TEST_F(RenderProgram, DrawsErrorsWithTheirTotals) {
   const std::string scene = write("scene.json", scene_text(mixed_entries));
   for (const std::string how :
@@ -127,7 +136,8 @@ TEST_F(RenderProgram, AWrongCommandLineEndsWith2AndOneSentence) {
        {scene, scene + png + " --method sphere/textbok", scene + png + " --method glm",
         scene + png + " --size 40", scene + png + " --size 0x3", scene + png + " --exact --error",
         scene + png + " --precision float16", scene + png + " --compare sphere/textbook",
-        scene + png + " --jobs 0", scene + " --out " + folder.string(),
+        scene + png + " --jobs 0", scene + " --out " + out("a.jpg"), scene + png + " --method box/slabs",
+        scene + png + " --error box/slabs", scene + " --out " + folder.string(),
         scene + " --out /no/such/folder/a.png", png, scene + png + " --error --size 9000x20"}) {
     const Ended ended = run(render + command);
     EXPECT_EQ(ended.status, 2) << command << "\n" << ended.output;

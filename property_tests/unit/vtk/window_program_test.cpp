@@ -75,7 +75,7 @@ TEST(WindowProgram, SSavesThePictureWhereItMayAndSaysSoWhereItMayNot) {
   std::filesystem::create_directory(picture);  // which no file can be written to
   const Ended refused = save();
   EXPECT_EQ(refused.status, 0) << refused.output;
-  EXPECT_EQ(refused.output, "rayproof walk: the file ray-2-window.png can't be written\n");
+  EXPECT_EQ(refused.output, "rayproof walk: ray-2-window.png cannot be written\n");
   std::filesystem::remove_all(here);
 }
 

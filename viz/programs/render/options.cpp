@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "case/reader/near_names.hpp"
+#include "viz/programs/files.hpp"
 #include "viz/render/shading.hpp"
 
 namespace rayproof::render {
@@ -112,6 +113,7 @@ Mode RenderOptions::mode() const {
     throw WrongCommand("--window shows errors: give --error or --compare");
   if (!is_pixel && !is_window && out.empty()) throw WrongCommand("nothing to write: give --out and a file");
   if (is_pixel) return Mode::pixel;
+  viz::refuse_other_suffix("--out", out, ".png");
   if (!compare.empty()) return Mode::compare;
   if (is_error) return Mode::error;
   if (!strategies.empty()) return Mode::shadows;

@@ -29,9 +29,9 @@ PixelReport report_pixel(const RenderScene& scene, int x, int y, const Methods& 
 void write_page(const PixelReport& report, const std::string& path) {
   viz::PictureCanvas canvas;
   const viz::Stage stage = viz::stage_of(viz::report_of(report.one, report.method));
-  viz::write_text(path, viz::stage_page(stage, [&](const viz::Stage& shown, std::size_t step) {
-                    return viz::still_of(canvas, shown, step);
-                  }));
+  write_file(path, viz::stage_page(stage, [&](const viz::Stage& shown, std::size_t step) {
+               return viz::still_of(canvas, shown, step);
+             }));
 }
 
 }  // namespace rayproof::render

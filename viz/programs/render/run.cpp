@@ -27,7 +27,11 @@ class Render {
       : options_(options),
         stop_(stop),
         mode_(options.mode()),
-        scene_(read_scene(options.scene, read_mesh, options.overrides())) {}
+        scene_(read_scene(options.scene, read_mesh, options.overrides())) {
+    for (const auto& [option, names] :
+         {std::pair{"--method", options.methods}, {"--error", options.error}, {"--compare", options.compare}})
+      for (const std::string& name : names) expect_shape_of(option, name);
+  }
 
   void run() {
     if (mode_ == Mode::pixel) return print_case();
@@ -41,6 +45,15 @@ class Render {
   }
 
  private:
+  /// A method of a shape that the scene has none of would change nothing.
+  void expect_shape_of(const char* option, const std::string& method) const {
+    (void)options_.chosen_methods({method});  // refuses one that there is not
+    const std::string shape = method.substr(0, method.find('/'));
+    const auto is_of_it = [&](const Object& object) { return shape_name(object.shape) == shape; };
+    if (std::ranges::none_of(scene_.objects, is_of_it))
+      throw WrongCommand(fmt::format("{} {}: there is no {} in {}", option, method, shape, options_.scene));
+  }
+
   [[nodiscard]] Work work(const std::string& what) {
     return {options_.jobs, &stop_, [this, what](double done) { progress_.show(done, what); }};
   }

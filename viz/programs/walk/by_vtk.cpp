@@ -17,6 +17,10 @@ namespace rayproof::viz {
 
 #ifdef RAYPROOF_HAS_VTK
 void write_pngs(const std::vector<Walk>& walks, const std::string& folder, ProgressLine& progress) {
+  if (folder.ends_with(".png"))
+    throw WrongCommand("--png writes a picture for each step into a folder: " + folder +
+                       " names one picture");
+  keep_on_interrupt();  // the picture under way is drawn
   const OffscreenDisplay display;
   SlideCanvas canvas;
   make_folder(folder);
@@ -27,6 +31,10 @@ void write_pngs(const std::vector<Walk>& walks, const std::string& folder, Progr
   for (const auto& [group, stage] : walks) {
     std::vector<Raster> slides;
     for (std::size_t i = 0; i < stage.steps.size(); ++i) {
+      if (is_interrupted) {
+        progress.clear();
+        return print_to_stderr("rayproof walk: interrupted: {} of {} pictures are written\n", done, all);
+      }
       const std::string name = fmt::format("{}-{}", stage.name, i + 1);
       progress.show(share(done++, all), fmt::format("picture {}.png", name));
       slides.push_back(canvas.draw(stage, i));
@@ -49,7 +57,10 @@ void write_movie(const std::vector<Walk>& walks, const std::string& path, Progre
     Movie movie(file.path(), film_rate);
     for (const auto& [group, stage] : walks) {
       for (const Shot& shot : shots_of(stage)) {
-        if (is_interrupted) return;
+        if (is_interrupted) {
+          progress.clear();
+          return print_to_stderr("rayproof walk: interrupted: no film is left\n");
+        }
         progress.show(share(done++, all), fmt::format("film of {}, step {}", stage.name, shot.step + 1));
         movie.add(canvas.draw(stage_at(stage, shot), shot.step, shot.count > 1), shot.count);
       }

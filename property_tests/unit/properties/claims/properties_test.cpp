@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -186,6 +187,24 @@ TEST(Properties, AHitFromNaNIsNoticedAndAMissIsNot) {
   const auto never = [](const Case&) -> Answer { return RayAnswer{}; };
   EXPECT_EQ(rule("nan", always), Ruling::broken);
   EXPECT_EQ(rule("nan", never), Ruling::held);
+}
+
+TEST(Properties, NaNIsPutInSomeNumbersOfAnEndlessOutlineInXYAndZ) {
+  static std::array<unsigned, 3> spoilt{};
+  static unsigned asked = 0;
+  Case one = head_on();
+  std::get<RayQuestion>(one.question).shape = Polygon<double>{std::vector<glm::dvec3>(20'000)};
+  const auto never = [](const Case& given) -> Answer {
+    const auto& shape = std::get<RayQuestion>(given.question).shape;
+    ++asked;
+    for (const glm::dvec3& vertex : std::get<Polygon<double>>(shape).vertices)
+      for (int axis = 0; axis < 3; ++axis)
+        spoilt[static_cast<std::size_t>(axis)] += std::isnan(vertex[axis]) ? 1 : 0;
+    return RayAnswer{};
+  };
+  EXPECT_EQ(rule("nan", never, one), Ruling::held);
+  EXPECT_LT(asked, 2000U);
+  for (const unsigned count : spoilt) EXPECT_GT(count, 300U);
 }
 
 TEST(Properties, ABoundThatEnclosesNothingIsNoticed) {

@@ -53,11 +53,20 @@ TEST_F(Programs, ExplainTakesAFileAFindingAndStandardInput) {
   std::ofstream(file("findings.jsonl")) << "\n" << finding << "\n" << finding << "\n";
   for (const std::string& command :
        {explain + file("findings.jsonl"), explain + file("findings.jsonl") + " --line 2",
+        explain + file("findings.jsonl") + " --line 3",
         "cat " + file("findings.jsonl") + " | " + explain + "-"}) {
     const Ended ended = run(command);
     EXPECT_EQ(ended.status, 0) << ended.output;
     EXPECT_EQ(ended.output.find("sphere/textbook"), 0U) << ended.output;
   }
+}
+
+TEST_F(Programs, ABlankLineAndOneBeyondTheLastAreNoCases) {
+  std::ofstream(file("cases.jsonl")) << "\n" << a_sphere.substr(1, a_sphere.size() - 3) << "\n";
+  const std::string asked = explain + file("cases.jsonl") + " --method sphere/textbook --line ";
+  EXPECT_EQ(run(asked + "1").output, "rayproof explain: line 1 of " + file("cases.jsonl") + " is blank\n");
+  EXPECT_EQ(run(asked + "2").status, 0);
+  EXPECT_EQ(run(asked + "3").output, "rayproof explain: " + file("cases.jsonl") + " has no line 3, only 2\n");
 }
 
 TEST_F(Programs, ARefusedCaseEndsWith1AndOneSentenceNamingTheField) {
@@ -79,6 +88,25 @@ TEST_F(Programs, AWrongCommandLineEndsWith2AndOneSentence) {
     EXPECT_EQ(ended.status, 2) << command << "\n" << ended.output;
     EXPECT_EQ(std::count(ended.output.begin(), ended.output.end(), '\n'), 1) << ended.output;
   }
+}
+
+TEST_F(Programs, AFileNamedAsOneOfAnotherKindIsRefused) {
+  for (const auto& [command, sentence] : std::initializer_list<std::pair<std::string, const char*>>{
+           {draw + cancelling + "--svg x.txt", "rayproof draw: --svg x.txt must end in .svg\n"},
+           {draw + cancelling + "--png x.jpg", "rayproof draw: --png x.jpg must end in .png\n"},
+           {draw + cancelling + "--heat x.svg", "rayproof draw: --heat x.svg must end in .png\n"},
+           {draw + cancelling + "--html x.htm", "rayproof draw: --html x.htm must end in .html\n"},
+#ifdef RAYPROOF_HAS_VTK
+           {walk_program + "ray --png a.png",
+            "rayproof walk: --png writes a picture for each step into a folder"},
+#endif
+           {walk_program + "spheres --html a.html", "rayproof walk: --html a.html is one page, for "}}) {
+    const Ended ended = run("cd " + folder.string() + " && " + command);
+    EXPECT_EQ(ended.status, 2) << command;
+    EXPECT_EQ(ended.output.find(sentence), 0U) << ended.output;
+    EXPECT_TRUE(std::filesystem::is_empty(folder)) << command;
+  }
+  EXPECT_EQ(run(draw + cancelling + "--svg /dev/null").status, 0);
 }
 
 TEST_F(Programs, DrawWritesAPageAndAnSvg) {
