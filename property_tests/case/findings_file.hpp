@@ -22,6 +22,7 @@ class UnreadableCase : public std::runtime_error {
 
 /// The lines of the text as an editor numbers them, blank ones, too.
 [[nodiscard]] std::vector<std::string> lines_in(const std::string& text);
+/// Whether there is nothing in the line but white space.
 [[nodiscard]] bool is_blank(const std::string& line);
 
 /// The file of findings that --from names: itself, or the one in the folder of a run.

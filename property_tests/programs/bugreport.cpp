@@ -26,8 +26,7 @@ int run(const std::string& number, const std::string& from) {
   if (check::is_no_peer(recorded.name) && find_subject(recorded.shape + "/" + recorded.name) != nullptr) {
     print_to_stderr(
         "rayproof bugreport: nothing to file: finding {} is of this library's own method {}/{}, not of "
-        "somebody else's "
-        "library; rayproof explain and draw show it\n",
+        "somebody else's library; rayproof explain and draw show it\n",
         *wanted, recorded.shape, recorded.name);
     return 1;
   }
