@@ -115,7 +115,7 @@ inline void write_file(const std::filesystem::path& path, const std::string& tex
     is_written = static_cast<bool>(file << text << std::flush);
   }
   is_written = is_written && put_in_place(beside, path);
-  std::filesystem::remove(beside, error);
+  if (std::filesystem::is_regular_file(beside, error)) std::filesystem::remove(beside, error);
   if (is_written) return;
   throw std::runtime_error(path.string() +
                            " cannot be written: is its folder writable, and is there room on the disk?");

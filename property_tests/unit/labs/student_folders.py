@@ -54,7 +54,7 @@ def kinds(escape):
         "right, state is nonsense": (noted, "passed", ""),
         "Jürgen Weiß": (python(PYTHON), "passed", ""),
         "wrong": (cpp((SPHERE / "wrong/centre_forgotten.cpp").read_text(encoding="utf-8")), "wrong", "centre is ignored"),
-        "stub": (cpp((SPHERE / "sphere.cpp").read_text(encoding="utf-8")), "wrong", "it finds nothing"),
+        "stub": (cpp((SPHERE / "sphere.cpp").read_text(encoding="utf-8")), "wrong", "nothing is ever hit"),
         "crash": (cpp(doing("std::abort();")), "crashed", "signal 6"),
         "endless": (cpp(doing("for (;;) { static volatile int k; k = k + 1; }")), "too slow", "longer than|no answer within"),
         "asleep": (cpp(doing("::sleep(10000);")), "too slow", ""),
