@@ -1,4 +1,4 @@
-// Diagnosis: the sign of zero is taken for a sign
+// Diagnosis: 0·∞ is NaN in the slab of a face that the ray runs in
 #include "slabs.hpp"
 
 #include <cmath>
