@@ -13,8 +13,7 @@ std::vector<Cover::Candidate> Cover::candidates() const {
   std::vector<Candidate> all;
   const bool finds_none = never_finds();
   for (const Hypothesis& cause : hypotheses()) {
-    const bool says_so = cause.name == "never-hits" || cause.name == "radius-square-added";
-    if (finds_none ? !says_so : !is_named(cause)) continue;
+    if (finds_none ? !cause.is_of_no_hits : !is_named(cause)) continue;
     Candidate candidate{&cause};
     const Examination::Mistake mistake = common_mistake(cause);
     std::size_t explained = 0, contradictions = 0;

@@ -89,6 +89,8 @@ struct Hypothesis {
   bool is_throughout = false;
   /// Of a model that foresees many answers, always in the same order: one of these must explain all cases.
   bool is_one_of_many = false;
+  /// It says that nothing is ever found: of a subject of which that is so it alone is believed.
+  bool is_of_no_hits = false;
 };
 
 /// Whether the first says no more than a part of what the second says.

@@ -75,7 +75,8 @@ bool ProgramAnswerer::ask_rest(Round& all) {
   if (!program_->has_answered() && conversation_->was_never_started())
     throw CannotStart(
         fmt::format("{} cannot be started: {}", program_->command(), conversation_->last_words()));
-  const bool is_held_back = ending == RoundEnd::silence && program_->may_hold_back() && holds_back(rest);
+  const bool is_held_back =
+      ending == RoundEnd::silence && program_->begin_look_for_held_back() && holds_back(rest);
   const bool is_machines = ending == RoundEnd::silence && !conversation_->is_silent_itself();
   conversation_.reset();
   if (ending == RoundEnd::silence && !program_->has_answered())

@@ -51,8 +51,11 @@ class Program {
   /// It has answered all that it was asked, with its input open: it holds answers back seldom, if at all.
   void note_complete_round() { has_completed_ = true; }
   /// Whether it is worth the time to see if it answers once its input is closed: of one that has answered all
-  /// before, once, since it may flush some hundred lines at a time.
-  [[nodiscard]] bool may_hold_back() { return !has_completed_ || !was_seen_silent_.exchange(true); }
+  /// before, for its first silence alone, since it may flush some hundred lines at a time. Notes that
+  /// silence.
+  [[nodiscard]] bool begin_look_for_held_back() {
+    return !has_completed_ || !was_seen_silent_.exchange(true);
+  }
   /// Something went wrong, and this time was lost to it; `count` cases have no answer for that.
   void note_trouble(std::size_t count, Clock::duration lost, bool is_silence);
   /// It has written this many bytes more to standard error; false where it is too much to go on.

@@ -232,8 +232,8 @@ std::vector<Hypothesis> classes_of_cases() {
       shows("is-zero", is_all_zero, zero_in_words),
       vague(shows("is-infinite", is_infinite,
                   "a number of the answer is infinite: a division by 0 is not kept from")),
-      strictly(gives("never-hits", never_hits,
-                     "every case tried misses, says the subject: nothing is ever found")),
+      of_no_hits(strictly(gives("never-hits", never_hits,
+                                "every case tried misses, says the subject: nothing is ever found"))),
       shows("roots-not-sorted", not_sorted<Quadratic<double>>,
             "the roots are right, and do not always stand in ascending order: they are not sorted"),
   };

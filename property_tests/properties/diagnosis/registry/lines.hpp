@@ -58,6 +58,12 @@ inline constexpr auto rounding = FindingKind::rounding;
   return model;
 }
 
+/// The same of a model that says that nothing is ever found.
+[[nodiscard]] constexpr Hypothesis of_no_hits(Hypothesis model) {
+  model.is_of_no_hits = true;
+  return model;
+}
+
 /// A subject whose answers bear this mark.
 [[nodiscard]] constexpr Hypothesis shows(std::string_view name, Recognise recognise,
                                          std::string_view sentence, FindingKind kind = gross,

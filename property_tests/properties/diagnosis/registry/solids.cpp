@@ -18,9 +18,10 @@ std::vector<Hypothesis> models_of_solids() {
       gives("radius-doubled-for-square", radius_for_square<2>, "2r is taken for r²"),
       gives("radius-rooted", radius_for_square<1>,
             "the answer is right for the root of the radius: r is taken for r²"),
-      gives("radius-square-added", radius_square_added,
-            "every ray misses, says the subject: nothing is ever hit; no hit is looked for, or c = |o - "
-            "center|² + r², the sign of r² wrong"),
+      of_no_hits(
+          gives("radius-square-added", radius_square_added,
+                "every ray misses, says the subject: nothing is ever hit; no hit is looked for, or c = |o - "
+                "center|² + r², the sign of r² wrong")),
       gives("radius-doubled", read_as<radius_doubled>, "the answer is right for twice the radius"),
       gives("radius-halved", read_as<radius_halved>,
             "the answer is right for half the radius: it is taken for a diameter"),
