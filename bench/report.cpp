@@ -59,8 +59,7 @@ std::string write_leaving([[maybe_unused]] const report::BenchOptions& options,
 #endif
 }
 
-report::Measurements measured_or_read(const report::BenchOptions& options, ProgressLine& progress) {
-  if (!options.figures.empty()) return read_file(options.figures);
+report::Measurements measured(const report::BenchOptions& options, ProgressLine& progress) {
   const auto listener = [&](double done, const std::string& what) { progress.show(done, what); };
   report::Measurements figures = report::measure(options, is_interrupted, listener);
   figures.scaling = report::measure_scaling(options, is_interrupted, listener);
@@ -71,11 +70,13 @@ report::Measurements measured_or_read(const report::BenchOptions& options, Progr
 int run(const report::BenchOptions& options) {
   const std::optional<report::Measurements> baseline =
       options.baseline.empty() ? std::nullopt : std::optional(read_file(options.baseline));
+  report::Conclusions found;
+  if (!options.figures.empty()) found.figures = read_file(options.figures);
   make_folder(options.out);
   expect_writable(options.json);
   keep_on_interrupt();
   ProgressLine progress;
-  report::Conclusions found{.figures = measured_or_read(options, progress)};
+  if (options.figures.empty()) found.figures = measured(options, progress);
   const report::Measurements& figures = found.figures;
   if (!is_interrupted && options.figures.empty() && figures.scaling.empty() &&
       std::ranges::none_of(figures.rows, &report::BenchRow::has_errors))

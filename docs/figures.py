@@ -5,7 +5,7 @@
     for set in avx512 avx2 baseline; do
       RAYPROOF_ISA=$set ./rayproof report --shape sphere --family random --precision float32 --time 2 --json out/figures-$set.json
     done
-    ./rayproof bench --benchmark_filter='judge|objects' --benchmark_repetitions=5 --benchmark_min_time=0.03 \\
+    ./rayproof bench --benchmark_filter=judge --benchmark_repetitions=5 --benchmark_min_time=0.03 \\
                      --benchmark_format=json > out/bench.json
     python3 docs/figures.py out            FOLDER holds the five files
 
@@ -24,8 +24,9 @@ PLAIN = {"sphere": "centred", "plane": "implicit", "triangle": "moller_trumbore"
          "parallelepiped": "face_planes", "cylinder": "centred", "polygon": "winding"}
 UNUSUAL = {"bit_patterns", "exponents", "special", "transformed", "placed", "corners"}  # numbers of any size, and transforms
 COUNTS = [1, 10, 100, 1000, 100_000, 1_000_000]
-OBJECTS = ["list/{}", "bounds_tree/{}", "embree_tree/{}", "list/{}_exactly", "bounds_tree/{}_exactly", "embree_tree/{}_exactly",
-           "embree/{}"]
+OBJECTS = [(method, arrangement) for prefix in ("", "exact_") for method, arrangement in
+           ((f"{prefix}list", "batch"), (f"{prefix}list", "scalar"), (f"{prefix}tree", "scalar"), (f"{prefix}tree_in_embree", "scalar"))]
+OBJECTS.append(("embree", "scalar"))
 
 
 def digits(x, count=3):
@@ -42,11 +43,15 @@ def table(head, rows):
 
 
 class Report:
-    """The rows of a report, by shape, method, precision, arrangement and family."""
+    """The rows of a report, by shape, method, precision, arrangement and family; those of scenes by shapes, their number, method and
+    arrangement."""
 
     def __init__(self, path):
         self.times = {}
-        for row in json.loads(path.read_text())["rows"]:
+        report = json.loads(path.read_text())
+        self.scenes = {(row["shape"], row["size"], row["method"], row["arrangement"]): row["ns_per_ray"]
+                       for row in report.get("scaling", []) if row["curve"] == "scenes"}
+        for row in report["rows"]:
             key = row["shape"], row["method"], row["precision"], row["arrangement"], row["family"]
             self.times[key] = row["ns_per_ray"]
 
@@ -126,16 +131,16 @@ def judgements(bench):
     return table(["", "random, float", "double", "tangent, float", "double", "under a transform, float", "double"], rows)
 
 
-def objects(bench):
+def objects(report):
     """The nearest hit among a number of objects, in nanoseconds."""
     rows = []
     for kind in ("spheres", "triangles"):
         for count in COUNTS:
-            cells = [bench(f"objects/{what.format(kind)}/{count}") for what in OBJECTS]
+            cells = [report.scenes.get((kind, count, *which)) for which in OBJECTS]
             name = f"{count:,} {kind if count > 1 else kind[:-1]}"
             rows.append([name, *("–" if cell is None else digits(cell, 2) for cell in cells)])
-    return table(["", "`ObjectList`", "`ObjectTree`", "with Embree", "exact `ObjectList`", "exact `ObjectTree`", "with Embree",
-                  "Embree alone"], rows)
+    ours = ["`ObjectList`, rays in packs", "ray by ray", "`ObjectTree`", "with Embree"]
+    return table(["", *ours, *(f"exact {ours[0]}", *ours[1:]), "Embree alone"], rows)
 
 
 def main():
@@ -146,7 +151,7 @@ def main():
         report, bench = Report(folder / "figures.json"), Bench(folder / "bench.json")
         sets = {name: Report(folder / f"figures-{name.replace('-', '').lower()}.json") for name in ("AVX-512", "AVX2", "baseline")}
         tables = {"streaming": streaming(sets), "rounded float": rounded(report, "float32"), "rounded double": rounded(report, "float64"),
-                  "transforms": transforms(report), "judgements": judgements(bench), "objects": objects(bench)}
+                  "transforms": transforms(report), "judgements": judgements(bench), "objects": objects(report)}
     except (OSError, KeyError) as missing:
         sys.exit(f"docs/figures.py: missing: {missing}")
     for page in (DOCS / "report.md", DOCS / "library.md"):

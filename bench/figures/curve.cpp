@@ -39,9 +39,10 @@ void add(std::vector<CurveChart>& charts, const std::string& chart, const std::s
 void add_scene(std::vector<CurveChart>& charts, const BenchRow& row) {
   const bool is_exact = row.method.starts_with(exactly), is_embree = row.method == "embree";
   const std::string method = is_exact ? row.method.substr(std::string(exactly).size()) : row.method;
-  const std::string name = is_embree                    ? "Embree alone"
-                           : method == "tree_in_embree" ? "tree in Embree"
-                                                        : method;
+  const std::string name = is_embree                               ? "Embree alone"
+                           : method == "tree_in_embree"            ? "tree in Embree"
+                           : row.arrangement == Arrangement::batch ? "list, rays in packs"
+                                                                   : method;
   if (!is_exact) add(charts, row.shape + ", plain methods", name, row);
   if (is_exact || is_embree) add(charts, row.shape + ", exact methods", name, row);
 }
@@ -50,9 +51,10 @@ void add_scene(std::vector<CurveChart>& charts, const BenchRow& row) {
 
 CurveWords words_on(const std::string& curve) {
   if (curve == "scenes")
-    return {"The nearest hit among N objects", "objects",
-            "One ray after the other through a cube of N objects that cover its view about once, float, one "
-            "core."};
+    return {
+        "The nearest hit among N objects", "objects",
+        "Rays through a cube of N objects that cover its view about once, one after the other or in packs, "
+        "float, one core."};
   if (curve == "polygon_size")
     return {"Polygons of n vertices", "vertices",
             "One ray, or point, after the other, each with a star of its own, float, one core."};
@@ -70,7 +72,7 @@ std::vector<CurveChart> charts_of(const std::vector<BenchRow>& rows, const std::
       add(charts, row.shape, row.method, row);
   }
   // The same line is drawn the same in every chart of scenes.
-  constexpr std::array order{"list", "tree", "tree in Embree", "Embree alone"};
+  constexpr std::array order{"list", "tree", "tree in Embree", "Embree alone", "list, rays in packs"};
   const auto place = [&](const CurveLine& line) { return std::ranges::find(order, line.name); };
   if (curve == "scenes")
     for (CurveChart& chart : charts) std::ranges::stable_sort(chart.lines, std::less{}, place);

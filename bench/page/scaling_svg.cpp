@@ -23,13 +23,13 @@ constexpr double chart_width = chart_left + frame_width + room_for_names;
 /// By itself or on a page, in its colours. Lines differ in colour, in dashes, and in the outline of their
 /// marks.
 constexpr const char* scaling_style = R"css(<style>
-.scaling { font: 15px system-ui, sans-serif; fill: #16181c; --ink: #16181c; --paper: #ffffff; --soft: #5a626c; --line: #d0d7de; --c0: #0072b2; --c1: #b84a00; --c2: #00734f; --c3: #9c4a7f; }
-@media screen and (prefers-color-scheme: dark) { .scaling { fill: #e8eaed; --ink: #e8eaed; --paper: #16181c; --soft: #a3abb5; --line: #3a404a; --c0: #56b4e9; --c1: #ff8f4d; --c2: #2fc99a; --c3: #e29ac6; } }
+.scaling { font: 15px system-ui, sans-serif; fill: #16181c; --ink: #16181c; --paper: #ffffff; --soft: #5a626c; --line: #d0d7de; --c0: #0072b2; --c1: #b84a00; --c2: #00734f; --c3: #9c4a7f; --c4: #5a5a00; }
+@media screen and (prefers-color-scheme: dark) { .scaling { fill: #e8eaed; --ink: #e8eaed; --paper: #16181c; --soft: #a3abb5; --line: #3a404a; --c0: #56b4e9; --c1: #ff8f4d; --c2: #2fc99a; --c3: #e29ac6; --c4: #d6ce4a; } }
 .scaling .paper { fill: var(--paper); } .scaling .title { font-weight: 600; } .scaling .soft { fill: var(--soft); }
 .scaling .grid { stroke: var(--line); stroke-width: .8; } .scaling .frame { fill: none; stroke: var(--soft); }
-.scaling .l0 { --m: var(--c0); } .scaling .l1 { --m: var(--c1); } .scaling .l2 { --m: var(--c2); } .scaling .l3 { --m: var(--c3); }
+.scaling .l0 { --m: var(--c0); } .scaling .l1 { --m: var(--c1); } .scaling .l2 { --m: var(--c2); } .scaling .l3 { --m: var(--c3); } .scaling .l4 { --m: var(--c4); }
 .scaling .path, .scaling .leader { fill: none; stroke: var(--m); stroke-width: 2; } .scaling .leader { stroke-width: 1; }
-.scaling .l1 .path { stroke-dasharray: 9 4; } .scaling .l2 .path { stroke-dasharray: 2 3; } .scaling .l3 .path { stroke-dasharray: 10 3 2 3; }
+.scaling .l1 .path { stroke-dasharray: 9 4; } .scaling .l2 .path { stroke-dasharray: 2 3; } .scaling .l3 .path { stroke-dasharray: 10 3 2 3; } .scaling .l4 .path { stroke-dasharray: 6 2; }
 .scaling .spread { stroke: var(--m); stroke-width: 5; opacity: .35; } .scaling .mark { fill: var(--paper); stroke: var(--m); stroke-width: 2; }
 .scaling .l0 .mark, .scaling .l2 .mark { fill: var(--m); } .scaling .label { fill: var(--m); font-weight: 600; stroke: var(--paper); stroke-width: 4; paint-order: stroke; }
 .scaling .ideal { stroke: var(--soft); stroke-width: 1; stroke-dasharray: 2 4; }
@@ -114,16 +114,13 @@ std::string axes(const LogFrame& frame, const std::string& title, const char* si
          svg_text(frame.x0, frame.y0 - 12, "start", title, "class=\"title\"");
 }
 
+/// A disc, a square, a triangle, a lozenge, and a triangle on its tip, as paths from the point they mark.
+constexpr std::array marks{"m-4.5 0a4.5 4.5 0 1 0 9 0a4.5 4.5 0 1 0 -9 0z", "m-4.5 -4.5h9v9h-9z",
+                           "m-5.5 5h11l-5.5 -10z", "m-6 0l6 6 6 -6 -6 -6z", "m-5.5 -5h11l-5.5 10z"};
+
 std::string mark(std::size_t line, double x, double y, const std::string& words) {
-  const std::string outline =
-      line % 4 == 0 ? fmt::format("<circle class=\"mark\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4.5\">", x, y)
-      : line % 4 == 1
-          ? fmt::format("<rect class=\"mark\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"9\" height=\"9\">", x - 4.5,
-                        y - 4.5)
-      : line % 4 == 2 ? fmt::format("<path class=\"mark\" d=\"M{:.1f} {:.1f}h11l-5.5 -10z\">", x - 5.5, y + 5)
-                      : fmt::format("<path class=\"mark\" d=\"M{:.1f} {:.1f}l6 6 6 -6 -6 -6z\">", x - 6, y);
-  const char* const end = line % 4 == 0 ? "circle" : line % 4 == 1 ? "rect" : "path";
-  return fmt::format("{}<title>{}</title></{}>\n", outline, escaped(words), end);
+  return fmt::format("<path class=\"mark\" d=\"M{:.1f} {:.1f}{}\"><title>{}</title></path>\n", x, y,
+                     marks[line % marks.size()], escaped(words));
 }
 
 /// Heights of names, near those wanted and none on another.
@@ -142,16 +139,16 @@ std::vector<double> spread_out(const std::vector<double>& wanted, double low, do
 }
 
 std::string line_of(const CurveLine& line, std::size_t index, const LogFrame& frame, const char* sizes) {
-  std::string path, marks;
+  std::string path, points;
   for (const CurvePoint& point : line.points) {
     const double x = frame.x(static_cast<double>(point.size)), y = frame.y(point.ns);
     path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", x, y);
-    marks += svg_line(x, frame.y(point.low), x, frame.y(point.high), "spread");
-    marks += mark(index, x, y,
-                  fmt::format("{}, {} {}: {} ns ({} to {})", line.name, point.size, sizes,
-                              nanoseconds(point.ns), nanoseconds(point.low), nanoseconds(point.high)));
+    points += svg_line(x, frame.y(point.low), x, frame.y(point.high), "spread");
+    points += mark(index, x, y,
+                   fmt::format("{}, {} {}: {} ns ({} to {})", line.name, point.size, sizes,
+                               nanoseconds(point.ns), nanoseconds(point.low), nanoseconds(point.high)));
   }
-  return fmt::format("<path class=\"path\" d=\"{}\"/>\n{}", path, marks);
+  return fmt::format("<path class=\"path\" d=\"{}\"/>\n{}", path, points);
 }
 
 /// Whether a line ends far from the names: it has its own at its last mark.
@@ -161,11 +158,13 @@ bool ends_early(const CurveLine& line, const LogFrame& frame) {
 
 std::string chart_in_svg(const CurveChart& chart, const LogFrame& frame, const char* sizes, bool has_ideal) {
   std::string svg = axes(frame, chart.title, sizes);
-  std::vector<double> ends;
-  for (const CurveLine& line : chart.lines)
-    if (!ends_early(line, frame)) ends.push_back(frame.y(line.points.back().ns) + 5);
-  const std::vector<double> heights = spread_out(ends, frame.y0 + 12, frame.y0 + frame_height);
-  std::size_t name = 0;
+  std::vector<double> ends[2];  // of the lines that end beside the names, and of those that end early
+  for (const CurveLine& line : chart.lines) {
+    const bool is_early = ends_early(line, frame);
+    ends[is_early].push_back(frame.y(line.points.back().ns) + (is_early ? -5 : 5));
+  }
+  for (std::vector<double>& side : ends) side = spread_out(side, frame.y0 + 12, frame.y0 + frame_height);
+  std::size_t name[2] = {};
   for (std::size_t i = 0; i < chart.lines.size(); ++i) {
     const CurveLine& line = chart.lines[i];
     const CurvePoint &first = line.points.front(), &last = line.points.back();
@@ -176,13 +175,14 @@ std::string chart_in_svg(const CurveChart& chart, const LogFrame& frame, const c
           frame.y(std::max(first.ns * static_cast<double>(first.size) / static_cast<double>(last.size),
                            std::pow(10, frame.low))),
           "ideal");
-    svg += fmt::format("<g class=\"l{}\">\n{}", i % 4, line_of(line, i, frame, sizes));
-    const double end = frame.y(last.ns);
-    if (ends_early(line, frame)) {
-      svg += svg_text(x - 10, end - 5, "end", line.name, "class=\"label\"");
+    svg += fmt::format("<g class=\"l{}\">\n{}", i % marks.size(), line_of(line, i, frame, sizes));
+    const bool is_early = ends_early(line, frame);
+    const double height = ends[is_early][name[is_early]++];
+    if (is_early) {
+      svg += svg_text(x - 10, height, "end", line.name, "class=\"label\"");
     } else {
-      svg += svg_line(x + 7, end, name_x - 4, heights[name] - 5, "leader");
-      svg += svg_text(name_x, heights[name++], "start", line.name, "class=\"label\"");
+      svg += svg_line(x + 7, frame.y(last.ns), name_x - 4, height - 5, "leader");
+      svg += svg_text(name_x, height, "start", line.name, "class=\"label\"");
     }
     svg += "</g>\n";
   }

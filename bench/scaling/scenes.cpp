@@ -4,6 +4,7 @@
 #include "bench/contenders/contender.hpp"
 #include "bench/scaling/scaling.hpp"
 #include "bench/scenes/random_scene.hpp"
+#include "bench/scenes/ray_columns.hpp"
 #ifdef RAYPROOF_HAS_EMBREE
 #include <rayproof/objects/embree_tree.hpp>
 
@@ -35,6 +36,20 @@ Contender contender_of(std::string name, std::shared_ptr<const Searched> searche
   return {std::move(name), Arrangement::scalar, pass};
 }
 
+/// Asks a list for the nearest hits of all rays at once.
+template <class List>
+Contender contender_in_packs(std::string name, std::shared_ptr<const List> list,
+                             const std::vector<Ray<float>>& rays) {
+  const auto columns = std::make_shared<RayColumns>();
+  for (const Ray<float>& ray : rays) columns->add(ray);
+  const auto t = std::make_shared<std::vector<float>>(rays.size());
+  const auto index = std::make_shared<std::vector<std::uint32_t>>(rays.size());
+  const auto pass = [=, list = std::move(list)](std::size_t count) {
+    list->nearest(columns->part(0, count), std::span(*t).first(count), std::span(*index).first(count));
+  };
+  return {std::move(name), Arrangement::batch, pass};
+}
+
 template <class Choice>
 ObjectList<float, Choice> list_of(const RandomScene& scene) {
   ObjectList<float, Choice> list;
@@ -48,9 +63,11 @@ std::vector<Contender> scene_contenders(const std::string& prefix, const RandomS
   const auto rays = std::make_shared<const std::vector<Ray<float>>>(rays_through_scene());
   const auto list = list_of<Choice>(scene);
   std::vector<Contender> all;
-  if (list.size() <= longest_list)
-    all.push_back(
-        contender_of(prefix + "list", std::make_shared<const ObjectList<float, Choice>>(list), rays));
+  if (list.size() <= longest_list) {
+    const auto shared = std::make_shared<const ObjectList<float, Choice>>(list);
+    all.push_back(contender_of(prefix + "list", shared, rays));
+    all.push_back(contender_in_packs(prefix + "list", shared, *rays));
+  }
   all.push_back(contender_of(prefix + "tree", std::make_shared<const ObjectTree<float, Choice>>(list), rays));
 #ifdef RAYPROOF_HAS_EMBREE
   using InEmbree = ObjectTree<float, Choice, objects::EmbreeTree>;

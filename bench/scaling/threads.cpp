@@ -10,6 +10,7 @@
 #include "bench/contenders/contender.hpp"
 #include "bench/scaling/scaling.hpp"
 #include "bench/scenes/random_scene.hpp"
+#include "bench/scenes/ray_columns.hpp"
 #include "generators/draw.hpp"
 
 namespace rayproof::report {
@@ -18,29 +19,16 @@ namespace {
 
 constexpr std::size_t ray_count = 1 << 18;
 
-/// Rays in columns, with room for their answers.
-struct RayColumns {
-  std::array<std::vector<float>, 6> in;
-  std::vector<float> t;
-
-  /// From all sides to points near the origin.
-  RayColumns() : t(ray_count) {
-    Random random(18);
-    for (std::size_t i = 0; i < ray_count; ++i) {
-      const glm::dvec3 origin = 4.0 * draw::unit_vector(random);
-      const glm::dvec3 direction = 1.2 * random.unit() * draw::unit_vector(random) - origin;
-      for (int axis = 0; axis < 3; ++axis) {
-        in[static_cast<std::size_t>(axis)].push_back(static_cast<float>(origin[axis]));
-        in[static_cast<std::size_t>(axis) + 3].push_back(static_cast<float>(direction[axis]));
-      }
-    }
+/// From all sides to points near the origin.
+RayColumns rays_from_all_sides() {
+  Random random(18);
+  RayColumns rays;
+  for (std::size_t i = 0; i < ray_count; ++i) {
+    const glm::dvec3 origin = 4.0 * draw::unit_vector(random);
+    rays.add({origin, 1.2 * random.unit() * draw::unit_vector(random) - origin});
   }
-
-  [[nodiscard]] RayBatch<float> rays(std::size_t from, std::size_t size) const {
-    const auto part = [&](std::size_t i) { return std::span(in[i]).subspan(from, size); };
-    return {{part(0), part(1), part(2)}, {part(3), part(4), part(5)}};
-  }
-};
+  return rays;
+}
 
 /// A pass in which `tile(from, size)` is called for parts of the rays, by this many threads.
 template <class Tile>
@@ -58,10 +46,11 @@ Contender in_tiles(const char* name, Arrangement arrangement, std::size_t thread
 }
 
 template <class Method, class Shape>
-Contender batch_in_tiles(const char* name, const std::shared_ptr<RayColumns>& columns, const Shape& shape,
+Contender batch_in_tiles(const char* name, const std::shared_ptr<const RayColumns>& rays, const Shape& shape,
                          std::size_t threads) {
-  return in_tiles(name, Arrangement::batch, threads, [columns, shape](std::size_t from, std::size_t size) {
-    nearest_hits<Method>(columns->rays(from, size), shape, std::span(columns->t).subspan(from, size));
+  const auto t = std::make_shared<std::vector<float>>(rays->size());
+  return in_tiles(name, Arrangement::batch, threads, [rays, t, shape](std::size_t from, std::size_t size) {
+    nearest_hits<Method>(rays->part(from, size), shape, std::span(*t).subspan(from, size));
   });
 }
 
@@ -92,13 +81,13 @@ std::vector<ScalingStep> threads_scaling(const BenchOptions& options) {
   std::vector<ScalingStep> steps;
   for (const std::size_t threads : thread_counts()) {
     const auto measure = [seconds](const BenchRow& pattern) {
-      const auto columns = std::make_shared<RayColumns>();
+      const auto rays = std::make_shared<const RayColumns>(rays_from_all_sides());
       const Sphere<float> ball{{0, 0, 0}, 1};
       const Triangle<float> triangle{{-1, -1, 0}, {2, -1, 0}, {-1, 2, 0}};
       const std::vector<Contender> all{
-          batch_in_tiles<sphere::Centred>("sphere/centred", columns, ball, pattern.size),
-          batch_in_tiles<sphere::Rounded>("sphere/rounded", columns, ball, pattern.size),
-          batch_in_tiles<triangle::Woop>("triangle/woop", columns, triangle, pattern.size),
+          batch_in_tiles<sphere::Centred>("sphere/centred", rays, ball, pattern.size),
+          batch_in_tiles<sphere::Rounded>("sphere/rounded", rays, ball, pattern.size),
+          batch_in_tiles<triangle::Woop>("triangle/woop", rays, triangle, pattern.size),
           scene_in_tiles("tree_of_10000_spheres", pattern.size)};
       return timed_rows(all, pattern, ray_count, seconds, wall_seconds);
     };

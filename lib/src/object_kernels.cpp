@@ -71,6 +71,20 @@ RAYPROOF_FLAT LeastHit<T> meet_all(const Many<RayProblem<Shape, T>>& given, T* o
   return {static_cast<T>(std::experimental::hmin(least.lanes())), !std::experimental::all_of(is_sure)};
 }
 
+template <class T>
+void keep_nearer(const T* t, std::uint32_t index, std::size_t size, T* nearest, std::uint32_t* whose) {
+  for (std::size_t i = 0; i < size; ++i) {
+    const bool is_first_of_two = t[i] == nearest[i] && t[i] < infinity<T> && index < whose[i];
+    const bool is_nearer = t[i] < nearest[i] || is_first_of_two;
+    nearest[i] = is_nearer ? t[i] : nearest[i];
+    whose[i] = is_nearer ? index : whose[i];
+  }
+}
+
+template <class T>
+constexpr void enter(KeepNearerKernel<T>& kernel) {
+  kernel.keep = keep_nearer<T>;
+}
 template <class Method, template <class> class Shape, class T>
 constexpr void enter(ObjectKernel<Method, RayProblem<Shape, T>>& kernel) {
   kernel.meet = meet_all<Method, false, Shape, T>;

@@ -14,6 +14,7 @@
 /// many at once as the processor has lanes, against the others one after the other. Of many an ObjectTree
 /// asks only the few near the ray (object_tree.hpp).
 
+#include <rayproof/objects/many_rays.hpp>
 #include <rayproof/objects/object_group.hpp>
 #include <rayproof/objects/search.hpp>
 
@@ -49,6 +50,13 @@ class ObjectList {
   /// The nearest hit in the ray's interval; of several at one t, that of the object added first.
   [[nodiscard]] std::optional<HitRecord<T>> nearest(const Ray<T>& ray) const {
     return objects::nearest_of<Choice>(ray, near(ray));
+  }
+  /// The nearest hit of each of many rays, bit for bit as above: its t, infinity for a miss, and the object's
+  /// index, `no_object` for a miss. Both arrays are as long as the batch, which has no matrix. In packs of
+  /// rays, one object after the other: of up to some ten objects many times faster than ray by ray.
+  void nearest(const RayBatch<T>& rays, std::span<T> t, std::span<std::uint32_t> index,
+               InstructionSet set = preferred_instruction_set()) const {
+    objects::nearest_of_many<Choice>(rays, t, index, set, [this](const auto& meet) { this->for_each(meet); });
   }
   /// Whether anything is hit in the ray's interval: what a shadow ray asks.
   [[nodiscard]] bool any(const Ray<T>& ray) const { return objects::any_of<Choice>(ray, near(ray)); }

@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <regex>
 #include <set>
+#include <string>
 
 #include "bench/page/scaling_svg.hpp"
 #include "unit/bench/rows.hpp"
@@ -65,23 +67,41 @@ std::vector<std::pair<double, double>> places(const std::string& svg, const std:
   return found;
 }
 
-TEST(CurvesInSvg, NameEachLineAtItsEndAndNoNameLiesOnAnother) {
-  const std::string svg = scaling_in_svg(scenes_of_two_sizes(), "scenes");
-  const auto names = places(svg, "label");
-  EXPECT_EQ(names.size(), 7U);
+/// No name lies on another in a plot of these.
+void expect_names_apart(const std::vector<BenchRow>& rows, std::size_t count) {
+  const auto names = places(scaling_in_svg(rows, "scenes"), "label");
+  EXPECT_EQ(names.size(), count);
   for (std::size_t i = 0; i < names.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       EXPECT_TRUE(names[i].first != names[j].first || std::abs(names[i].second - names[j].second) >= 18)
-          << i << " and " << j << ": all methods take the same time, and their lines end in one point";
+          << i << " and " << j;
+}
+
+TEST(CurvesInSvg, NameEachLineAtItsEndAndNoNameLiesOnAnother) {
+  expect_names_apart(scenes_of_two_sizes(), 7);  // all take the same time, and their lines end in one point
+}
+
+TEST(CurvesInSvg, NameLinesThatEndEarlyApartToo) {
+  std::vector<BenchRow> rows = scenes_of_two_sizes();
+  std::erase_if(rows, [](const BenchRow& row) { return row.method == "list" && row.size > 10; });
+  rows.push_back(curve_row("scenes", "spheres", "list", 10, 20 * std::log2(10)));
+  rows.back().arrangement = Arrangement::batch;
+  expect_names_apart(rows, 8);
 }
 
 TEST(CurvesInSvg, DistinguishLinesByDashesAndOutlinesToo) {
-  const std::string svg = scaling_in_svg(scenes_of_two_sizes(), "scenes");
-  for (const char* const dashes :
-       {".l1 .path { stroke-dasharray", ".l2 .path { stroke-dasharray", ".l3 .path { stroke-dasharray"})
-    EXPECT_THAT(svg, HasSubstr(dashes));
-  for (const char* const outline : {"<circle class=\"mark\"", "<rect class=\"mark\"", "<path class=\"mark\""})
-    EXPECT_THAT(svg, HasSubstr(outline));
+  std::vector<BenchRow> rows = scenes_of_two_sizes();
+  rows.push_back(curve_row("scenes", "spheres", "list", 10, 8));
+  rows.back().arrangement = Arrangement::batch;
+  const std::string svg = scaling_in_svg(rows, "scenes");
+  EXPECT_THAT(svg, HasSubstr("class=\"label\">list, rays in packs<"));
+  for (int line = 1; line < 5; ++line)
+    EXPECT_THAT(svg, HasSubstr(".l" + std::to_string(line) + " .path { stroke-dasharray"));
+  std::set<std::string> outlines;  // of the marks, without where they are
+  const std::regex marks("<path class=\"mark\" d=\"M[0-9.]+ [0-9.]+(m[^\"]*)\"");
+  for (std::sregex_iterator mark(svg.begin(), svg.end(), marks), end; mark != end; ++mark)
+    outlines.insert((*mark)[1]);
+  EXPECT_EQ(outlines.size(), 5U);
   EXPECT_THAT(svg, HasSubstr("prefers-color-scheme: dark"));
 }
 

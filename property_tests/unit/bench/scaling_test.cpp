@@ -40,9 +40,10 @@ TEST(Scaling, TimesAListTreesAndEmbreeByPlainAndByExactMethods) {
     EXPECT_GE(row.passes_ns.size(), 5U);
     EXPECT_EQ(row.size, 3U);
     EXPECT_FALSE(row.has_errors());
-    methods.push_back(row.method);
+    methods.push_back(row.method + (row.arrangement == Arrangement::batch ? " of a batch" : ""));
   }
-  for (const char* const method : {"list", "tree", "exact_list", "exact_tree"})
+  for (const char* const method :
+       {"list", "tree", "exact_list", "exact_tree", "list of a batch", "exact_list of a batch"})
     EXPECT_EQ(std::ranges::count(methods, method), 1) << method;
 #ifdef RAYPROOF_HAS_EMBREE
   for (const char* const method : {"tree_in_embree", "exact_tree_in_embree", "embree"})

@@ -38,11 +38,16 @@ def made_up_rows(plain):
                            "ns_per_ray": time}
 
 
+def made_up_scenes():
+    for shape, size, method, arrangement, time in (("spheres", 1, "list", "batch", 1.61), ("spheres", 1, "list", "scalar", 51.2),
+                                                   ("triangles", 1000, "embree", "scalar", 171)):
+        yield {"curve": "scenes", "shape": shape, "size": size, "method": method, "arrangement": arrangement, "ns_per_ray": time}
+
+
 def made_up_benchmarks():
-    for name, time in (("judge/sphere/random/float", 340), ("objects/list/spheres/1", 51.2), ("objects/embree/triangles/1000", 171)):
-        for what in ("mean", "median"):
-            yield {"run_name": f"{name}/repeats:9" if "judge" in name else name, "aggregate_name": what, "time_unit": "ns",
-                   "cpu_time": time if what == "median" else 0}
+    for what in ("mean", "median"):
+        yield {"run_name": "judge/sphere/random/float/repeats:9", "aggregate_name": what, "time_unit": "ns",
+               "cpu_time": 340 if what == "median" else 0}
 
 
 def blocks(page):
@@ -68,7 +73,7 @@ def main():
 
         rows = list(made_up_rows(loaded(docs / "figures.py").PLAIN))
         for name in ("figures", "figures-avx512", "figures-avx2", "figures-baseline"):
-            (work / f"{name}.json").write_text(json.dumps({"rows": rows}))
+            (work / f"{name}.json").write_text(json.dumps({"rows": rows, "scaling": list(made_up_scenes())}))
         (work / "bench.json").write_text(json.dumps({"benchmarks": list(made_up_benchmarks())}))
         ended = subprocess.run(command, capture_output=True, text=True, check=False)
         faults.expect(ended.returncode == 0, f"it ends with {ended.returncode}: {ended.stderr}")
@@ -76,7 +81,7 @@ def main():
         for name, row in [("streaming", ["AVX2", "2.00", "2.00", "1.00", "3.50"]), ("judgements", ["sphere", "0.34"]),
                           ("rounded float", ["sphere", "`centred`", "2.00", "7.00", "3.5", "2.00", "7.00", "3.5", "40.0 (`surface`)"]),
                           ("rounded double", ["polygon", "`winding`", "", "", "", "2.00", "7.00", "3.5"]),
-                          ("objects", ["1 sphere", "51"]), ("objects", ["1,000 triangles", *6 * ["–"], "170"])]:
+                          ("objects", ["1 sphere", "1.6", "51"]), ("objects", ["1,000 triangles", *8 * ["–"], "170"])]:
             faults.expect(any(found[:len(row)] == row for found in tables[name]), f"{name} has no row {row}: {tables[name]}")
     faults.end()
 

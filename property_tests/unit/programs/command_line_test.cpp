@@ -191,6 +191,14 @@ TEST(programs, end_with_2_where_nothing_is_left_to_measure_or_to_check) {
   }
 }
 
+TEST(report_program, makes_no_folder_for_figures_that_it_cannot_read) {
+  if (!std::filesystem::exists(RAYPROOF_BIN_DIR "/rayproof-report")) GTEST_SKIP() << "report is not built";
+  const TemporaryFile broken("{");
+  const std::string folder = broken.path() + ".report";
+  EXPECT_EQ(run_program("report --figures " + broken.path() + " --out " + folder).status, 2);
+  EXPECT_FALSE(std::filesystem::exists(folder));
+}
+
 TEST(programs, take_no_number_for_another_one) {
   for (const std::string command :
        {"cases --seed -1", "cases --seed 18446744073709551616", "cases --count 0", "spawn --seed -1",

@@ -1,9 +1,10 @@
 #pragma once
 /// \file
 /// The compiled kernels for one ray and many objects of a shape, one table for each instruction set, as
-/// batch/kernels.hpp has them for many rays and one shape; object_group.hpp calls them.
+/// batch/kernels.hpp has them for many rays and one shape; object_group.hpp and many_rays.hpp call them.
 
 #include <cstddef>
+#include <cstdint>
 #include <rayproof/batch/kernels.hpp>
 #include <tuple>
 
@@ -43,6 +44,13 @@ struct ObjectKernel {
   LeastHit<T> (*meet_in_world)(const Many<Problem>& in, T* t) = nullptr;  ///< of shapes under a matrix
 };
 
+/// Keeps the nearest hits of rays and the indices of whose they are, while one object after the other is met.
+template <class T>
+struct KeepNearerKernel {
+  /// `t`: of the object with this index, infinity for a miss. Of two at one t the lower index is kept.
+  void (*keep)(const T* t, std::uint32_t index, std::size_t size, T* nearest, std::uint32_t* whose) = nullptr;
+};
+
 /// The methods that an object list asks by kernels, and the table of these.
 template <class Topic>
 auto kernels_of_topic() {
@@ -59,7 +67,8 @@ auto kernels_of_topic() {
 }
 template <class... All>
 auto kernels_of_topics(TypeList<All...>) {
-  return std::tuple_cat(kernels_of_topic<All>()...);
+  return std::tuple_cat(std::tuple<KeepNearerKernel<float>, KeepNearerKernel<double>>{},
+                        kernels_of_topic<All>()...);
 }
 using KernelTable = decltype(kernels_of_topics(Topics{}));
 
