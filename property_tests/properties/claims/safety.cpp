@@ -46,12 +46,24 @@ bool gives_one_twice(Trial& trial) {
   return apart > 4 * alike && apart * apart > merging * unit * far * far && !is_met_between(trial, answer);
 }
 
+/// Whether t lies in the interval, whose ends belong to it. Of a guest also where it lies beyond by its
+/// rounding alone: it may have compared other numbers with the ends, t·|d| say, or write t with just as many
+/// digits as tell two floats apart.
+bool is_in_interval(const Trial& trial, const Ray<double>& ray, double t) {
+  constexpr double few = 8;
+  const double doubt = trial.subject().has_own_contract ? 0 : few * roundoff_of(trial.question().precision);
+  const auto is_beyond = [&](double past, double end) {
+    return past > 0 && !(std::isfinite(end) && past <= doubt * std::abs(end));
+  };
+  return !is_beyond(ray.t_min - t, ray.t_min) && !is_beyond(t - ray.t_max, ray.t_max);
+}
+
 Ruling ascending(Trial& trial) {
   if (!gives_numbers(trial.claimed())) return Ruling::outside;
   const std::vector<double> numbers = numbers_in(trial.claimed());
   const auto* asked = std::get_if<RayQuestion>(&trial.question().question);
   const bool all_count = std::ranges::all_of(numbers, [&](double x) {
-    return !std::isnan(x) && (asked == nullptr || (asked->ray.t_min <= x && x <= asked->ray.t_max));
+    return !std::isnan(x) && (asked == nullptr || is_in_interval(trial, asked->ray, x));
   });
   const bool is_right = all_count && std::ranges::is_sorted(numbers) && !gives_one_twice(trial);
   return is_right ? Ruling::held : Ruling::broken;

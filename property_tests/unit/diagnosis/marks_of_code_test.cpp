@@ -29,16 +29,6 @@ TEST(DiagnosisOfRoots, KnowsThatTheRootThatCancelsDividesC) {
   EXPECT_EQ(bears_mark(near, far), std::nullopt);
 }
 
-TEST(DiagnosisOfIntervals, KnowsATThatLiesBeyondTheEndByItsRoundingAlone) {
-  constexpr const char* until_99 =
-      R"({"ray": {"origin": [-100,0,0], "direction": [1,0,0], "t_max": 99}, "shape": {"type": "sphere", "center": [0,0,0], "radius": 1}})";
-  const double next = std::nextafter(99.0, 100.0);
-  EXPECT_EQ(bears("beyond-end-by-rounding", until_99, with_hits({next})), true);
-  EXPECT_EQ(bears("beyond-end-by-rounding", until_99, with_hits({99})), std::nullopt);
-  EXPECT_EQ(bears("beyond-end-by-rounding", until_99, with_hits({101})), std::nullopt)
-      << "no rounding moves it so far";
-}
-
 TEST(DiagnosisOfHits, KnowsThatAFartherOneIsGivenInPlaceOfTheNearest) {
   const auto bears_mark = [](double t) {
     RayAnswer only = with_hits({t});

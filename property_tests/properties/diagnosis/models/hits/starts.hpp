@@ -1,14 +1,11 @@
 #pragma once
 /// \file
-/// Models of faults with where the ray starts and ends beside the shape.
+/// Models of faults with where the ray starts beside the shape.
 
 #include "properties/diagnosis/models/models.hpp"
 
 namespace rayproof::diagnosis {
 
-/// Whether a hit lies outside the interval, and no farther than rounding puts it; else nothing.
-[[nodiscard]] std::optional<bool> beyond_end_by_rounding(const Case& one, const Answer& got,
-                                                         const Answer& exact);
 /// @{ A surface is missed from an origin on that side of its plane: where the normal points, or not.
 [[nodiscard]] Answers missed_from_front(const Case& one, const Answer& exact);
 [[nodiscard]] Answers missed_from_back(const Case& one, const Answer& exact);
