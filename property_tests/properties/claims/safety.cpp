@@ -48,7 +48,7 @@ bool gives_one_twice(Trial& trial) {
 
 /// Whether t lies in the interval, whose ends belong to it. Of a guest also where it lies beyond by its
 /// rounding alone: it may have compared other numbers with the ends, t·|d| say, or write t with just as many
-/// digits as tell two floats apart.
+/// digits as distinguish two floats.
 bool is_in_interval(const Trial& trial, const Ray<double>& ray, double t) {
   constexpr double few = 8;
   const double doubt = trial.subject().has_own_contract ? 0 : few * roundoff_of(trial.question().precision);
