@@ -73,8 +73,10 @@ bool is_foreseen_by(const Finding& finding, const Finding& other) {
 bool is_normal_of_wrong_shape(const Finding& finding, const Finding& other) {
   const bool is_foreseen = finding.cause->change == nullptr && !finding.cause->is_vague;
   const std::uint64_t times = finding.property->every * (is_foreseen ? 8 : 1);
-  const bool is_of_hits = other.cause->aspect == Aspect::hits && other.cause->kind == FindingKind::gross &&
-                          other.property->claim != Claim::normal;
+  const bool is_of_all_hits =
+      other.cause->kind == FindingKind::gross || other.cause->kind == FindingKind::rounding;
+  const bool is_of_hits =
+      other.cause->aspect == Aspect::hits && is_of_all_hits && other.property->claim != Claim::normal;
   return finding.property->claim == Claim::normal && is_of_hits && !other.cause->is_vague &&
          times * finding.cases <= other.cases;
 }

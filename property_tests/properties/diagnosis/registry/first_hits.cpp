@@ -16,6 +16,7 @@
 #include "properties/diagnosis/models/outlines/outline.hpp"
 #include "properties/diagnosis/models/solids/box.hpp"
 #include "properties/diagnosis/models/space/details_of_shapes.hpp"
+#include "properties/diagnosis/models/space/transform.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {
@@ -169,6 +170,12 @@ std::vector<Hypothesis> models_of_first_hits() {
       gives("point-at-radius-one", point_at_radius_one,
             "the point is the centre plus the normal, and must be plus the normal times the radius", gross,
             Aspect::point),
+      gives("point-without-translation", point_without_translation,
+            "the point is taken back to the world without the matrix's translation", gross, Aspect::point),
+      gives("point-at-radius", point_at_radius, "the point is o + r·d, r the radius, and must be o + t·d",
+            gross, Aspect::point),
+      gives("point-at-direction", point_at_direction, "the point is o + d, and must be o + t·d", gross,
+            Aspect::point),
       gives("point-of-far-hit", point_of_far_hit, "the point is the far hit's", gross, Aspect::point),
       shows("point-moved", point_moved_along_normal,
             "the point is moved off the surface along the normal, as an origin of the next ray is", gross,
@@ -210,6 +217,9 @@ std::vector<Hypothesis> classes_of_cases() {
       shows("everything-not-handled", wrong_where_all_is_zero, "the equation 0 = 0 is not handled", boundary),
       following("linear-not-handled", shows("constant-not-handled", wrong_where_constant,
                                             "equations with a = b = 0 are not handled")),
+      strictly(
+          gives("mirrored-missed", mirrored_missed,
+                "what a matrix mirrors is missed: its determinant is negative, and is taken for too small")),
       shows("parallel-hit", parallel_is_hit,
             "a ray along the plane, parallel to it or inside it, is reported as a hit"),
       shows("no-area-hit", no_area_is_hit,

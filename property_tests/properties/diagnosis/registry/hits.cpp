@@ -10,6 +10,7 @@
 #include "properties/diagnosis/models/hits/starts.hpp"
 #include "properties/diagnosis/models/hits/stretches.hpp"
 #include "properties/diagnosis/models/hits/values.hpp"
+#include "properties/diagnosis/models/hits/wrong_interval.hpp"
 #include "properties/diagnosis/models/outlines/outline.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 
@@ -45,11 +46,41 @@ Hypothesis near_rim_missed() {
           "the radius less a share of the origin's distance, a relative epsilon"));
 }
 
+/// Of rays without end it foresees misses alone.
+Hypothesis compared_wrong_way_round() {
+  return shown_by(has_hit_beyond_both,
+                  gives("beyond-both-ends", beyond_both_ends,
+                        "the answer is right for t > t_max: t is compared with t_max the wrong way round"));
+}
+
 /// Two hits taken for one by an absolute tolerance in t.
 template <int power>
 Hypothesis merged_hits() {
-  return below_power("hits-merged", power, near_hits_merged<power>,
-                     "two hits nearer than about 1e{} in t are given as one: they are taken for the same");
+  return diagnosis::of_equation(
+      kept(fmt::format("two roots nearer than about 1e{} are given as a double one", power)),
+      below_power("hits-merged", power, near_hits_merged<power>,
+                  "two hits nearer than about 1e{} in t are given as one: they are taken for the same"));
+}
+
+template <int power>
+Hypothesis moved_hits() {
+  return of(
+      OfSizes::small,
+      gives_one_of(kept(fmt::format("t-moved-1e{}", power)), offset_by<power>,
+                   kept(fmt::format("every t is off by 1e{}, always to the same side: an offset against "
+                                    "hits of the surface just left, added to t",
+                                    power))));
+}
+
+/// The limit stands in the words. Without a hit so near the origin t_min would be ignored.
+template <int power>
+Hypothesis begins_behind_origin() {
+  return shown_by(
+      has_hit_behind<power>,
+      gives(kept(fmt::format("begins-behind-1e{}", power)), begins_behind<power>,
+            kept(fmt::format("hits behind the ray's beginning are reported down to t = -{}: that is "
+                             "compared with t in the place of t_min",
+                             std::pow(10.0, power)))));
 }
 
 }  // namespace
@@ -128,6 +159,10 @@ std::vector<Hypothesis> models_of_hits() {
           "nearer-to-zero-decides", nearer_to_zero_decides,
           "of two roots the one with the smaller |t| is looked at alone: from inside it misses where the hit "
           "behind the origin is the nearer one"),
+      gives("middle-behind-missed", missed_with_middle_behind,
+            "a shape is missed whose middle, or the mean of its vertices, lies behind the ray's origin, "
+            "though a part of "
+            "it lies before"),
       gives("misses-from-inside", misses_from_inside, "every ray that starts inside misses"),
       gives("behind-is-hit", behind_is_hit,
             "what lies wholly behind the ray's beginning is reported: the sign of t is not looked at"),
@@ -142,6 +177,22 @@ std::vector<Hypothesis> models_of_hits() {
       gives("inside-decides", inside_decides,
             "from inside the farther of the two hits is given, from outside the nearer one: where the origin "
             "lies decides, and t is not compared with t_min"),
+      gives("absolute-t-min", absolute_t_min, "the answer is right for |t_min|: its sign is lost"),
+      gives("t-max-as-length", read_as<t_max_as_length>,
+            "the answer is right for t_max - t_min in the place of t_max: the length of the interval is "
+            "compared "
+            "with t"),
+      gives("farther-of-both", farther_of_both,
+            "both of the line's hits must lie in the interval, and the farther one is reported"),
+      compared_wrong_way_round(),
+      gives("smaller-without-sign", smaller_without_sign,
+            "of two roots the one of the smaller |t| is reported alone, and without its sign"),
+      begins_behind_origin<0>(),
+      begins_behind_origin<-1>(),
+      begins_behind_origin<-2>(),
+      begins_behind_origin<-3>(),
+      begins_behind_origin<-4>(),
+      begins_behind_origin<-5>(),
       gives("all-hits-or-none", all_hits_or_none,
             "it misses where one of the line's hits lies outside the interval, although another lies inside"),
       gives_one_of(
@@ -176,6 +227,11 @@ std::vector<Hypothesis> models_of_hits() {
       shows("not-nearest", not_nearest,
             "a farther hit is reported in place of the nearest: that is kept which is found first, or last, "
             "and must be the one of the smallest t"),
+      moved_hits<-6>(),
+      moved_hits<-5>(),
+      moved_hits<-4>(),
+      moved_hits<-3>(),
+      moved_hits<-2>(),
       merged_hits<-8>(),
       merged_hits<-7>(),
       merged_hits<-6>(),
@@ -194,6 +250,10 @@ std::vector<Hypothesis> models_of_hits() {
             "the hits are right, and do not always stand in ascending order: they are not sorted"),
       gives("root-alone", root_alone, "of two roots only one is given"),
       gives("double-hit-twice", double_hit_twice, "a double root is reported twice", boundary),
+      gives("entry-and-exit-at-one-t", entry_and_exit_at_one_t,
+            "where entry and exit are at one t, since the ray only touches or the solid is flat, that hit is "
+            "listed "
+            "twice"),
       gives("single-hit-twice", single_hit_twice,
             "where one hit alone is in the interval it is reported twice"),
       misses_zero("tangent-missed", misses_at<Contact::tangent>, "a ray that only touches is missed"),

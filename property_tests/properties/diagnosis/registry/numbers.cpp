@@ -11,6 +11,7 @@
 #include "properties/diagnosis/models/hits/digits.hpp"
 #include "properties/diagnosis/models/hits/factor.hpp"
 #include "properties/diagnosis/models/hits/interval.hpp"
+#include "properties/diagnosis/models/hits/wrong_interval.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {
@@ -142,6 +143,9 @@ std::vector<Hypothesis> models_of_numbers() {
       gives("t-as-object-distance", scaled_by<length_in_object>,
             "t is right divided by the length of the direction in object space: that direction was made a "
             "unit vector"),
+      strictly(gives_one_of(
+          "infinity-as-zero", infinity_as_zero,
+          "the answer is right for 0 where t_max is infinite, or either end is: infinity is read as 0")),
       gives(
           "t-times-stretch", scaled_by<stretch_of_direction>,
           "t is right divided by how much longer the direction is in object space: it was made a unit vector "
@@ -234,6 +238,10 @@ std::vector<Hypothesis> models_of_digits() {
             "the barycentric coordinates are right to about seven digits: a float on the way to them, though "
             "the case is of float64",
             rounding, Aspect::coordinates),
+      shows(
+          "float-in-point", point_right_to_float,
+          "the point is right to about seven digits: a float on the way to it, though the case is of float64",
+          rounding, Aspect::point),
       shows("approximate", is_approximate,
             "every number is right to two to five digits and no better: something is approximated, a square "
             "root or a reciprocal",

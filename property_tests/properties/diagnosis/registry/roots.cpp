@@ -102,8 +102,9 @@ void add_shortcuts(std::vector<Hypothesis>& all) {
   all.push_back(gives("other-root-by-sum", by_formula<second_by_sum, first_by_sum>,
                       "of two roots one is right, and the other is -b less that: their sum is -b/a"));
   all.push_back(
-      of(OfSizes::type, shows("discriminant-in-float", has_discriminant_in_float,
-                              "the discriminant is a float, though the case is of float64", rounding)));
+      of(OfSizes::type,
+         shows("discriminant-in-float", has_discriminant_in_float,
+               "the discriminant, or its root, is a float, though the case is of float64", rounding)));
 }
 
 template <int... power>
@@ -142,10 +143,16 @@ std::vector<Hypothesis> models_of_roots() {
           gives("half-b-for-whole", by_formula<half_for_whole>,
                 "the answer is right for half the coefficient of t: with b = l·d the divisor is a and D = "
                 "b² - ac, with b = 2 (l·d) they are 2a and b² - 4ac")),
-      gives("discriminant-unrooted", by_formula<no_root_of_half, no_root_of_whole, no_root_of_chord>,
+      gives("discriminant-unrooted",
+            by_formula<no_root_of_half, no_root_of_whole, no_root_of_chord, stable_no_root_of_half,
+                       stable_no_root_of_whole>,
             "the answer is right with D in the place of √D: the square root is missing"),
       gives("root-alone-divided", by_formula<root_divided, root_divided_of_half>,
             "of -b ± √D only √D is divided: parentheses are missing"),
+      gives("first-root-part-divided", by_formula<one_by<root_divided, 0>, one_by<root_divided_of_half, 0>>,
+            "of (-b - √D) / 2a only √D is divided: parentheses are missing; the other root is right"),
+      gives("second-root-part-divided", by_formula<one_by<root_divided, 1>, one_by<root_divided_of_half, 1>>,
+            "of (-b + √D) / 2a only √D is divided: parentheses are missing; the other root is right"),
       gives("b-alone-divided", by_formula<b_divided, b_divided_of_half>,
             "of -b ± √D only -b is divided: parentheses are missing"),
       of_equation("the answer is right for a = 1: a is forgotten",

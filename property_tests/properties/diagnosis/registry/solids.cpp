@@ -8,6 +8,7 @@
 #include "properties/diagnosis/models/solids/slab_arithmetic.hpp"
 #include "properties/diagnosis/models/solids/slabs.hpp"
 #include "properties/diagnosis/models/solids/solid.hpp"
+#include "properties/diagnosis/models/solids/wrong_slabs.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {
@@ -60,6 +61,15 @@ std::vector<Hypothesis> models_of_solids() {
             "halved"),
       gives("slabs-without-signs", slabs_without_signs,
             "the t of the slabs are taken without their signs: |t| is compared"),
+      gives("slabs-turned-by-origin", slabs_turned_by_origin,
+            "near and far of a slab are exchanged by the sign of the origin's coordinate, and must be by "
+            "that of "
+            "the direction's"),
+      gives("slab-along-mirrored", slab_along_mirrored,
+            "of a slab that the ray runs along the origin is compared with the wrong sign"),
+      gives_one_of("missed-from-beyond", missed_from_beyond,
+                   "a ray from beyond a face is missed, whatever its direction: an early test looks at the "
+                   "origin alone"),
       gives("endless-box-x", without_slab<0>,
             "the answer is right for a box without end along x: that slab is not tested"),
       gives("endless-box-y", without_slab<1>,
@@ -131,6 +141,8 @@ std::vector<Hypothesis> models_of_solids() {
       gives("edges-times-length", read_as<edges_times_length>,
             "the answer is right for each edge times its length: coordinates that are counted in edges are "
             "compared with lengths, and must be with 1"),
+      gives_one_of("edge-of-other-length", edge_of_other_length,
+                   "the answer is right with one of the edges twice, or half, as long"),
       gives("edges-as-orthogonal", read_as<edges_as_orthogonal>,
             "the answer is right where a point's coordinates are its projections on the edges: the edges are "
             "taken for orthogonal, a rectangular solid's"),

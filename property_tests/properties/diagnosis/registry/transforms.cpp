@@ -40,6 +40,12 @@ std::vector<Hypothesis> models_of_transforms() {
             "the direction is translated like a point: it is transformed with w = 1 and must be with w = 0"),
       gives("direction-not-transformed", read_as<direction_not_transformed>,
             "the direction is not taken into object space"),
+      gives("direction-by-matrix", read_as<direction_by_matrix>,
+            "the direction is taken into object space by the matrix, and must be by its inverse"),
+      gives("origin-by-matrix", read_as<origin_by_matrix>,
+            "the origin is taken into object space by the matrix, and must be by its inverse"),
+      gives("inverse-undivided", read_as<inverse_undivided>,
+            "the inverse is not divided by the matrix's determinant"),
       gives("diagonal-alone", read_as<diagonal_alone>,
             "of the matrix the diagonal alone is looked at, as if it scaled along the axes: what it turns or "
             "shears is left out"),

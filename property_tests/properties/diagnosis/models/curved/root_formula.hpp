@@ -112,6 +112,19 @@ template <RootFormula... formulas>
   return unrooted_by(-e.h, e.discriminant() / std::sqrt(e.a), e.a);
 }
 /// @}
+/// @{ The same in the formula that does not cancel.
+[[nodiscard]] inline FoundRoots stable_no_root(const ReducedEquation& e, double D) {
+  if (D < 0) return std::nullopt;
+  const double q = -(e.h + std::copysign(D, e.h));
+  return std::array{q / e.a, e.c / q};
+}
+[[nodiscard]] inline FoundRoots stable_no_root_of_half(const ReducedEquation& e) {
+  return stable_no_root(e, e.discriminant());
+}
+[[nodiscard]] inline FoundRoots stable_no_root_of_whole(const ReducedEquation& e) {
+  return stable_no_root(e, 2 * e.discriminant());
+}
+/// @}
 /// @{ Of -b ± √D the divisor is that of one alone, or of neither; of the whole form and of the reduced one.
 [[nodiscard]] inline FoundRoots root_divided(const ReducedEquation& e) {
   return roots_by(-2 * e.h, e.discriminant() / (e.a * e.a), 1);
@@ -132,6 +145,13 @@ template <RootFormula... formulas>
   return roots_by(-e.h, e.discriminant(), 1);
 }
 /// @}
+/// One of the two roots by a wrong formula: the other is right.
+template <RootFormula wrong, std::size_t which>
+[[nodiscard]] FoundRoots one_by(const ReducedEquation& e) {
+  FoundRoots roots = roots_by(-e.h, e.discriminant(), e.a);
+  if (const FoundRoots all = wrong(e); roots && all) (*roots)[which] = (*all)[which];
+  return roots;
+}
 /// @{ -b is halved and √D is not, or the other way round.
 [[nodiscard]] inline FoundRoots b_not_halved(const ReducedEquation& e) {
   return roots_by(-2 * e.h, e.discriminant(), e.a);

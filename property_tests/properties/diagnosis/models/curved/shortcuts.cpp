@@ -1,6 +1,7 @@
 #include "properties/diagnosis/models/curved/shortcuts.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "properties/claims/answers.hpp"
 #include "properties/diagnosis/examination/agreement.hpp"
@@ -30,14 +31,15 @@ void add_none(Answers& answers) {
     answers.emplace_back(Roots{kind, 0, {}});
 }
 
-/// What is found where D is a float, by four formulas.
+/// What is found where D, or √D, is a float, by four formulas.
 Answers with_discriminant_in_float(const Case& one) {
   const std::optional<ReducedEquation> equation = reduced_equation(one);
   if (!equation) return {};
   const auto& [a, h, c] = *equation;
   Answers answers;
-  for (const double times : {4.0, 1.0}) {
-    const double D = double{static_cast<float>(times * equation->discriminant())} / times;
+  const double exact = equation->discriminant(), root = double{static_cast<float>(std::sqrt(exact))};
+  for (const double D :
+       {double{static_cast<float>(4 * exact)} / 4, double{static_cast<float>(exact)}, root * root}) {
     for (FoundRoots roots : {roots_by(-h, D, a), without_cancelling(*equation, D)}) {
       if (roots) std::ranges::sort(*roots);
       for (Answer& answer : with_roots(one, roots)) answers.push_back(std::move(answer));

@@ -36,8 +36,11 @@ Answers wrong_discriminant(const Case& one, const Answer& /*exact*/) {
     add(roots_by(-b, D, 2 * a));
     add(without_cancelling(*equation, D / 4));
   }
-  // In the other formula c / q is then what a direction taken for a unit vector gives.
   add(roots_by(-b, b * b - 4 * c, 2 * a));
+  // Of a ray c / q is then what a direction taken for a unit vector gives.
+  const bool is_equation = std::holds_alternative<Quadratic<double>>(one.question);
+  all.push_back(is_equation ? with_roots_in_order(one, without_cancelling(*equation, b * b / 4 - c))
+                            : all.back());
   return all;
 }
 

@@ -47,6 +47,12 @@ Answers caps_of_smaller_radius(const Case& one, const Answer& /*exact*/) {
   });
 }
 
+Answers caps_of_exchanged_radii(const Case& one, const Answer& /*exact*/) {
+  return with_caps_where(one, [](double x, double y, const Cylinder<double>& c) {
+    return c.rx == c.ry ? std::hypot(x, y) <= c.rx : std::hypot(x / c.ry, y / c.rx) <= 1;
+  });
+}
+
 Answers caps_of_rooted_radius(const Case& one, const Answer& /*exact*/) {
   return with_caps_where(one,
                          [](double x, double y, const Cylinder<double>& c) { return x * x + y * y <= c.rx; });

@@ -13,6 +13,8 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers caps_of_radius_rx(const Case& one, const Answer& exact);
 [[nodiscard]] Answers caps_of_radius_ry(const Case& one, const Answer& exact);
 [[nodiscard]] Answers caps_of_rooted_radius(const Case& one, const Answer& exact);
+/// An ellipse with the radii exchanged.
+[[nodiscard]] Answers caps_of_exchanged_radii(const Case& one, const Answer& exact);
 /// A diamond between the ends of the ellipse's axes.
 [[nodiscard]] Answers caps_as_diamonds(const Case& one, const Answer& exact);
 /// @}

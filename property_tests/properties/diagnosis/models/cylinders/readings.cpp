@@ -85,6 +85,16 @@ std::vector<Case> height_one(const Case& one) {
   return with_cylinder(one, [](Cylinder<double>& cylinder) { cylinder.height = 1; });
 }
 
+std::vector<Case> rx_rooted(const Case& one) {
+  return with_cylinder(one, [](Cylinder<double>& cylinder) { cylinder.rx = std::sqrt(cylinder.rx); });
+}
+std::vector<Case> ry_rooted(const Case& one) {
+  return with_cylinder(one, [](Cylinder<double>& cylinder) { cylinder.ry = std::sqrt(cylinder.ry); });
+}
+std::vector<Case> height_rooted(const Case& one) {
+  return with_cylinder(one, [](Cylinder<double>& cylinder) { cylinder.height = std::sqrt(cylinder.height); });
+}
+
 std::vector<Case> cylinder_as_box(const Case& one) {
   return with_question(one, [](RayQuestion& asked) {
     const auto* cylinder = std::get_if<Cylinder<double>>(&asked.shape);

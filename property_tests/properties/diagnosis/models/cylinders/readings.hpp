@@ -30,6 +30,11 @@ namespace rayproof::diagnosis {
 [[nodiscard]] std::vector<Case> radii_one(const Case& one);
 [[nodiscard]] std::vector<Case> height_one(const Case& one);
 /// @}
+/// @{ A radius alone, or the height, is read as its root: the square is forgotten.
+[[nodiscard]] std::vector<Case> rx_rooted(const Case& one);
+[[nodiscard]] std::vector<Case> ry_rooted(const Case& one);
+[[nodiscard]] std::vector<Case> height_rooted(const Case& one);
+/// @}
 /// The cylinder along another axis of its own space, each axis in the place of the one before.
 template <int axis>
 [[nodiscard]] std::vector<Case> cylinder_along(const Case& one) {

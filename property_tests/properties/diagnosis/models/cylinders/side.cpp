@@ -121,4 +121,10 @@ Answers caps_where_side_missed(const Case& one, const Answer& exact) {
   return {hits_where(on_line, [&](double t) { return in_interval(ray_question(one)->ray, t); })};
 }
 
+Answers side_mirrored(const Case& one, const Answer& /*exact*/) {
+  const auto* cylinder = shape_in<Cylinder<double>>(one);
+  if (cylinder == nullptr) return {};
+  return with_side_hits(one, roots_of_side(one), {.below = cylinder->height, .above = 0});
+}
+
 }  // namespace rayproof::diagnosis

@@ -27,6 +27,8 @@ namespace rayproof::diagnosis {
 /// The side goes on without end upwards, or downwards, and the caps are where they should be.
 [[nodiscard]] Answers side_goes_on(const Case& one, bool is_upwards);
 
+/// |z| <= height is asked of the side: it goes on below z = 0 as far as above.
+[[nodiscard]] Answers side_mirrored(const Case& one, const Answer& exact);
 /// Of the side's hits without end, in an open cylinder, only the first is compared with the height.
 [[nodiscard]] Answers first_side_hit_decides(const Case& one, const Answer& exact);
 

@@ -29,6 +29,12 @@ Answers point_in_object(const Case& one, const Answer& exact) {
   return with_point(exact, point_at(ray_in_object(*ray_question(one)), answer->hits.t[0]));
 }
 
+Answers point_without_translation(const Case& one, const Answer& exact) {
+  const RayAnswer* answer = hit_with_point(exact);
+  if (answer == nullptr || !ray_question(one)->transform) return {};
+  return with_point(exact, *answer->point - glm::dvec3((*ray_question(one)->transform)[3]));
+}
+
 Answers point_without_origin(const Case& one, const Answer& exact) {
   const RayAnswer* answer = hit_with_point(exact);
   return answer == nullptr ? Answers{}
@@ -67,6 +73,16 @@ Answers point_at_radius_one(const Case& one, const Answer& exact) {
   const glm::dvec3 own = point_at(ray_in_object(asked), answer->hits.t[0]) - sphere->center;
   const glm::dvec4 place(sphere->center + own / sphere->radius, 1);
   return with_point(exact, glm::dvec3(asked.transform.value_or(glm::dmat4(1)) * place));
+}
+
+Answers point_at_radius(const Case& one, const Answer& exact) {
+  const auto* sphere = hit_with_point(exact) == nullptr ? nullptr : shape_in<Sphere<double>>(one);
+  return sphere == nullptr ? Answers{} : with_point(exact, point_at(ray_question(one)->ray, sphere->radius));
+}
+
+Answers point_at_direction(const Case& one, const Answer& exact) {
+  return hit_with_point(exact) == nullptr ? Answers{}
+                                          : with_point(exact, point_at(ray_question(one)->ray, 1.0));
 }
 
 Answers point_of_far_hit(const Case& one, const Answer& exact) {

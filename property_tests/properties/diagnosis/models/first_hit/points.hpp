@@ -23,6 +23,11 @@ namespace rayproof::diagnosis {
 /// Whether the point is off the surface by some length along the normal, as an origin of the next ray is.
 [[nodiscard]] std::optional<bool> point_moved_along_normal(const Case& one, const Answer& got,
                                                            const Answer& exact);
+/// The point is taken back to the world without the matrix's translation.
+[[nodiscard]] Answers point_without_translation(const Case& one, const Answer& exact);
+/// o + r·d of a sphere, and o + d.
+[[nodiscard]] Answers point_at_radius(const Case& one, const Answer& exact);
+[[nodiscard]] Answers point_at_direction(const Case& one, const Answer& exact);
 /// The point of a plane that is nearest to the ray's origin.
 [[nodiscard]] Answers point_at_foot(const Case& one, const Answer& exact);
 /// Whether the point lies beside the ray's line.

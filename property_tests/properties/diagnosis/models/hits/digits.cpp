@@ -97,6 +97,17 @@ std::optional<bool> coordinates_right_to_float(const Case& one, const Answer& go
                               std::array{weights.x, weights.y, weights.z});
 }
 
+std::optional<bool> point_right_to_float(const Case& one, const Answer& got, const Answer& exact) {
+  const auto *found = std::get_if<RayAnswer>(&got), *right = std::get_if<RayAnswer>(&exact);
+  if (one.precision == Precision::float32 || found == nullptr || !found->point || !right->point)
+    return std::nullopt;
+  const glm::dvec3 &point = *right->point, off = glm::abs(*found->point - point);
+  const double size = std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
+  if (size == 0) return std::nullopt;
+  return is_of_float_rounding(one, std::max({off.x, off.y, off.z}) / size,
+                              std::array{point.x, point.y, point.z});
+}
+
 std::optional<bool> is_of_half(const Case& /*one*/, const Answer& got, const Answer& exact) {
   return if_short(got, exact, [](double x) {
     constexpr double smallest = 0x1p-24, largest = 65504;  // a subnormal's step; the largest of float16

@@ -15,6 +15,9 @@ namespace rayproof::diagnosis {
 /// The same of a triangle's barycentric coordinates, in units of 1.
 [[nodiscard]] std::optional<bool> coordinates_right_to_float(const Case& one, const Answer& got,
                                                              const Answer& exact);
+/// The same of the point of a hit.
+[[nodiscard]] std::optional<bool> point_right_to_float(const Case& one, const Answer& got,
+                                                       const Answer& exact);
 /// Every number is one of float16.
 [[nodiscard]] std::optional<bool> is_of_half(const Case& one, const Answer& got, const Answer& exact);
 /// Every number is right to two to five decimal digits, and no better.

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "properties/claims/answers.hpp"
 #include "properties/diagnosis/examination/agreement.hpp"
+#include "properties/diagnosis/models/plane_hit.hpp"
 
 namespace rayproof::diagnosis {
 namespace {
@@ -107,8 +109,15 @@ Answers both_are(std::size_t which, const Case& one, const Answer& exact) {
 }  // namespace
 
 Answers near_hits_merged(const Case& /*one*/, const Answer& exact, double apart) {
+  const std::vector<double> given = numbers_in(exact);
+  if (given.size() < 2 || !(given[1] - given[0] < apart)) return {};
   const auto* hits = std::get_if<RayAnswer>(&exact);
-  if (hits == nullptr || hits->hits.count < 2 || !(hits->hits.t[1] - hits->hits.t[0] < apart)) return {};
+  if (hits == nullptr) {
+    Answers doubles;
+    for (const double x : {given[0], std::midpoint(given[0], given[1]), given[1]})
+      doubles.emplace_back(QuadraticAnswer<double>{RootKind::twice, 1, {x}});
+    return doubles;
+  }
   RayAnswer merged = *hits;
   merged.hits.count = 1;
   return {merged};
@@ -139,6 +148,15 @@ Answers double_hit_twice(const Case& /*one*/, const Answer& exact) {
   return {QuadraticAnswer<double>{RootKind::two, 2, {x, x}},
           QuadraticAnswer<double>{RootKind::twice, 2, {x, x}},
           QuadraticAnswer<double>{RootKind::two, 1, {x}}};
+}
+
+Answers entry_and_exit_at_one_t(const Case& one, const Answer& exact) {
+  const auto* given = std::get_if<RayAnswer>(&exact);
+  if (given == nullptr || given->hits.count != 1 || lies_in_a_plane(one)) return {};
+  if (hits_of_line(one).hits.count != 1) return {};
+  RayAnswer twice = *given;
+  twice.hits.push_back(given->hits.t[0]);
+  return {twice};
 }
 
 Answers single_hit_twice(const Case& /*one*/, const Answer& exact) {

@@ -45,6 +45,8 @@ template <class Question>
 [[nodiscard]] Answers root_alone(const Case& one, const Answer& exact);
 /// Two equal hits, or roots, where there is one double one.
 [[nodiscard]] Answers double_hit_twice(const Case& one, const Answer& exact);
+/// The same of every solid that is met at one t alone, be it touched or without thickness there.
+[[nodiscard]] Answers entry_and_exit_at_one_t(const Case& one, const Answer& exact);
 /// One crossing in the interval is reported twice.
 [[nodiscard]] Answers single_hit_twice(const Case& one, const Answer& exact);
 

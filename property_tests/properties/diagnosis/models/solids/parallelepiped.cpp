@@ -114,4 +114,17 @@ Answers left_handed_missed(const Case& one, const Answer& exact) {
   return glm::dot(e, glm::cross(f, g)) < 0 ? Answers{RayAnswer{}} : Answers{};
 }
 
+Answers edge_of_other_length(const Case& one, const Answer& /*exact*/) {
+  Answers answers;
+  for (std::size_t edge = 0; edge < 3; ++edge)
+    for (const double times : {2.0, 0.5})
+      for (Answer& answer :
+           exact_of(with_shape<Parallelepiped<double>>(one, [&](RayQuestion& /*asked*/, auto& solid) {
+             solid.edges[edge] *= times;
+             return true;
+           })))
+        answers.push_back(std::move(answer));
+  return answers.size() == 6 ? answers : Answers{};
+}
+
 }  // namespace rayproof::diagnosis

@@ -28,6 +28,8 @@ template <int edge>
     return true;
   });
 }
+/// One edge is taken twice, or half, as long. An answer for each such mistake, always in the same order.
+[[nodiscard]] Answers edge_of_other_length(const Case& one, const Answer& exact);
 /// An edge with another one added to it: the diagonal of their face is taken for the edge.
 template <int edge, int other>
 [[nodiscard]] std::vector<Case> diagonal_for_edge(const Case& one) {

@@ -80,6 +80,27 @@ std::vector<Case> origin_not_transformed(const Case& one) {
   });
 }
 
+std::vector<Case> direction_by_matrix(const Case& one) {
+  return with_map(one, [](RayQuestion& asked, const glm::dmat4& map) {
+    asked.ray.direction = glm::dmat3(map) * (glm::dmat3(map) * asked.ray.direction);
+  });
+}
+
+std::vector<Case> origin_by_matrix(const Case& one) {
+  return with_map(one, [](RayQuestion& asked, const glm::dmat4& map) {
+    asked.ray.origin = glm::dvec3(map * (map * glm::dvec4(asked.ray.origin, 1)));
+  });
+}
+
+std::vector<Case> inverse_undivided(const Case& one) {
+  return with_map(one, [](RayQuestion& asked, const glm::dmat4& map) {
+    const double size = glm::determinant(glm::dmat3(map));
+    const Ray<double> ray = ray_in_object(asked);
+    asked.ray.origin = glm::dvec3(map * glm::dvec4(size * ray.origin, 1));
+    asked.ray.direction = glm::dmat3(map) * (size * ray.direction);
+  });
+}
+
 std::vector<Case> direction_not_transformed(const Case& one) {
   return with_map(one, [](RayQuestion& asked, const glm::dmat4& map) {
     asked.ray.direction = glm::dmat3(map) * asked.ray.direction;
