@@ -100,11 +100,14 @@ Diagnosis CauseSearch::next(const Indices& left) const {
   return best;
 }
 
-/// Whether the subject answers each of the first few cases otherwise when it is asked so.
+/// Whether the subject answers each of the first few cases otherwise when it is asked so. When it is asked
+/// again two are enough: who keeps something of the case before may be right by chance.
 bool CauseSearch::is_of_the_asking(const Hypothesis& one, const Indices& left) const {
-  constexpr std::size_t few = 4;
-  const auto first = std::span<const std::size_t>(left).first(std::min(few, left.size()));
-  return examination_.explained(one, first).size() == first.size();
+  const bool is_again = one.asked == Asking::again;
+  const auto first =
+      std::span<const std::size_t>(left).first(std::min<std::size_t>(is_again ? 8 : 4, left.size()));
+  const std::size_t enough = is_again ? std::min<std::size_t>(2, first.size()) : first.size();
+  return examination_.explained(one, first).size() >= enough;
 }
 
 bool CauseSearch::may_show(const Hypothesis& one) const {

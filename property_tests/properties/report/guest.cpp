@@ -87,7 +87,7 @@ std::string why_no_boundary(const Subject& guest) {
                      guest.topic == "polygon"
                          ? "as those of a half-open one: of its sides some belong to it, as even and odd "
                            "crossings have it"
-                         : "by no rule: it may be rounding");
+                         : "by no rule: rounding, or a fault on some of them");
 }
 
 /// "not judged: point, normal (…)", and what is judged in part; empty where nothing is left out.

@@ -160,6 +160,7 @@ TEST(Diagnosis, NamesWhatIsWronglySaidOfTheFirstHit) {
                                                {"sphere", "point", "point-from-shape"},
                                                {"sphere", "point", "point-at-radius-one"},
                                                {"sphere", "point", "point-at-radius"},
+                                               {"box", "normal", "normal-of-other-hit"},
                                                {"sphere", "point", "point-without-translation"},
                                                {"box", "point", "point-at-direction"},
                                                {"box", "normal", "normal-of-entry-axis"},

@@ -71,6 +71,8 @@ std::vector<Hypothesis> models_of_cylinders() {
             "the upper end of the cylinder is not tested: z <= height is missing"),
       gives("lower-end-not-tested", lower_end_not_tested,
             "the lower end of the cylinder is not tested: z >= 0 is missing"),
+      gives_one_of("end-tested-one-way", end_tested_one_way,
+                   "one end of the cylinder is tested for rays that go up alone, or down alone"),
       gives("near-height-decides", near_height_decides,
             "the height of the side's nearer hit decides for both: each must be compared with the ends"),
       gives("first-side-hit-decides", first_side_hit_decides,

@@ -77,6 +77,9 @@ std::vector<Hypothesis> models_of_first_hits() {
           "where the ray starts inside the normal is that of the hit behind its beginning, and must be that "
           "of the hit given",
           gross, Aspect::normal),
+      gives("normal-of-other-hit", normal_of_other_hit,
+            "the normals of the hits where the ray enters and where it leaves are exchanged", gross,
+            Aspect::normal),
       normal_of_one_of(
           "normal-of-far-hit", normal_of_far_hit,
           "the normal is that of the far hit: always, or where the ray heads to the middle, or where "

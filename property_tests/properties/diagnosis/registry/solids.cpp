@@ -9,6 +9,7 @@
 #include "properties/diagnosis/models/solids/slabs.hpp"
 #include "properties/diagnosis/models/solids/solid.hpp"
 #include "properties/diagnosis/models/solids/wrong_slabs.hpp"
+#include "properties/diagnosis/models/space/details_of_shapes.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {
@@ -59,6 +60,9 @@ std::vector<Hypothesis> models_of_solids() {
       gives("sum-as-middle", read_as<sum_as_middle>,
             "the answer is right for a box about min + max: the sum is taken for the middle, and must be "
             "halved"),
+      gives("zero-size-as-one", read_as<zero_size_as_one>,
+            "the answer is right for 1 where a radius, or the height, is 0: 0 is taken for a number that is "
+            "not given"),
       gives("slabs-without-signs", slabs_without_signs,
             "the t of the slabs are taken without their signs: |t| is compared"),
       gives("slabs-turned-by-origin", slabs_turned_by_origin,

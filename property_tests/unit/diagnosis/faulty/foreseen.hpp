@@ -17,6 +17,8 @@ inline constexpr Foreseen foreseen_faults[] = {
     {"sphere", "zero-as-no-end"},
     {"sphere", "smallest-hit"},
     {"sphere", "farther-of-both"},
+    {"cylinder", "end-tested-one-way"},
+    {"cylinder", "zero-size-as-one"},
     {"sphere", "absolute-t-min"},
     {"box", "infinity-as-zero"},
     {"sphere", "t-max-as-length"},

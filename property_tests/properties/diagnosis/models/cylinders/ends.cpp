@@ -177,6 +177,18 @@ Answers no_upper_cap(const Case& one, const Answer& exact) { return without_hits
 Answers upper_end_not_tested(const Case& one, const Answer& /*exact*/) { return lengthened(one, true); }
 Answers lower_end_not_tested(const Case& one, const Answer& /*exact*/) { return lengthened(one, false); }
 
+Answers end_tested_one_way(const Case& one, const Answer& exact) {
+  if (shape_in<Cylinder<double>>(one) == nullptr) return {};
+  const bool rises = ray_in_object(*ray_question(one)).direction.z > 0;
+  Answers answers;
+  for (const bool is_upper : {true, false})
+    for (const bool is_of_rising : {true, false}) {
+      const Answers longer = rises == is_of_rising ? lengthened(one, is_upper) : Answers{};
+      answers.push_back(longer.empty() ? exact : longer.back());
+    }
+  return answers;
+}
+
 Answers without_low_rim(const Case& one, const Answer& exact) {
   return without_heights(one, exact, [](double z, double height) { return is_zero(z, height); });
 }

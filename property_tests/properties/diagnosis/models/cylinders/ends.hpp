@@ -23,6 +23,10 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers lower_end_not_tested(const Case& one, const Answer& exact);
 /// @}
 
+/// One of the ends is tested for rays that go up alone, or down alone. An answer for each such mistake,
+/// always in the same order.
+[[nodiscard]] Answers end_tested_one_way(const Case& one, const Answer& exact);
+
 /// @{ Hits of an open cylinder exactly at an end, or at either, are left out.
 [[nodiscard]] Answers without_low_rim(const Case& one, const Answer& exact);
 [[nodiscard]] Answers without_high_rim(const Case& one, const Answer& exact);

@@ -85,6 +85,13 @@ Answers normal_of_far_hit(const Case& one, const Answer& exact) {
   return {other, heads_to_middle ? Answer{other} : exact, heads_to_middle ? exact : Answer{other}};
 }
 
+Answers normal_of_other_hit(const Case& one, const Answer& exact) {
+  Answers near = normal_of_near_hit(one, exact);
+  if (!near.empty()) return near;
+  const Answers far = normal_of_far_hit(one, exact);
+  return far.empty() ? Answers{} : Answers{far.front()};
+}
+
 std::optional<bool> normal_not_unit(const Case& one, const Answer& got, const Answer& exact) {
   const auto *mine = std::get_if<RayAnswer>(&got), *answer = std::get_if<RayAnswer>(&exact);
   if (mine == nullptr || answer == nullptr || !mine->normal) return std::nullopt;

@@ -43,4 +43,7 @@ namespace rayproof::diagnosis {
                                                        const Answer& exact);
 /// @}
 
+/// The normal of the line's other hit: entry and exit are exchanged.
+[[nodiscard]] Answers normal_of_other_hit(const Case& one, const Answer& exact);
+
 }  // namespace rayproof::diagnosis

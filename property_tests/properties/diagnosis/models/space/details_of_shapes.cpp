@@ -53,4 +53,16 @@ Answers point_by_other_weights(const Case& one, const Answer& exact) {
   return answers;
 }
 
+std::vector<Case> zero_size_as_one(const Case& one) {
+  return with_question(one, [](RayQuestion& asked) {
+    std::vector<double*> sizes;
+    if (auto* sphere = std::get_if<Sphere<double>>(&asked.shape)) sizes = {&sphere->radius};
+    if (auto* cylinder = std::get_if<Cylinder<double>>(&asked.shape))
+      sizes = {&cylinder->rx, &cylinder->ry, &cylinder->height};
+    std::erase_if(sizes, [](const double* size) { return *size != 0; });
+    for (double* size : sizes) *size = 1;
+    return !sizes.empty();
+  });
+}
+
 }  // namespace rayproof::diagnosis

@@ -17,4 +17,7 @@ template <int first, int second>
 /// A triangle's point is put together by its barycentric coordinates in another order.
 [[nodiscard]] Answers point_by_other_weights(const Case& one, const Answer& exact);
 
+/// A radius, or a height, of 0 is read as 1.
+[[nodiscard]] std::vector<Case> zero_size_as_one(const Case& one);
+
 }  // namespace rayproof::diagnosis
