@@ -6,6 +6,17 @@
 #include "properties/diagnosis/examination/agreement.hpp"
 
 namespace rayproof::diagnosis {
+namespace {
+
+/// Whether two answers have one normal, or one of them has none.
+bool has_same_normal(const Answer& a, const Answer& b) {
+  const auto *first = std::get_if<RayAnswer>(&a), *second = std::get_if<RayAnswer>(&b);
+  if (first == nullptr || second == nullptr || !first->normal || !second->normal) return true;
+  return !(glm::length(*first->normal - *second->normal) > 0);  // true for NaN, too
+}
+
+}  // namespace
+
 Examination::Examination(const Patient& patient, std::span<const Case> failing, std::span<const Case> passing)
     : patient_(patient), failing_(ask(failing)), passing_(ask(passing)) {
   // A miss does not show whether its subject would have given t.
@@ -143,13 +154,16 @@ std::vector<std::size_t> Examination::cured_alone(std::span<const std::size_t> c
 }
 
 std::vector<std::size_t> Examination::changed_again(std::span<const std::size_t> cases) const {
+  // In the other order, for who keeps something of the case before.
   std::vector<Case> asked;
-  for (const std::size_t i : cases) asked.push_back(failing_.at(i).asked.one);
-  const std::vector<std::optional<Answer>> answers = patient_.ask(asked);
+  for (auto i = cases.rbegin(); i != cases.rend(); ++i) asked.push_back(failing_.at(*i).asked.one);
+  std::vector<std::optional<Answer>> answers = patient_.ask(asked);
+  std::reverse(answers.begin(), answers.end());
   std::vector<std::size_t> all;
   for (std::size_t k = 0; k < cases.size(); ++k) {
     const std::optional<Answer>& before = failing_.at(cases[k]).got;
-    if (before && answers[k] && !same(*before, *answers[k])) all.push_back(cases[k]);
+    if (before && answers[k] && !(same(*before, *answers[k]) && has_same_normal(*before, *answers[k])))
+      all.push_back(cases[k]);
   }
   return all;
 }
