@@ -51,11 +51,8 @@ Ruling ruling_on(const Subject& subject, const Property& property, const Case& o
   // Where the verdict is wrong, an error of t is no matter: that is not held, either.
   if (ruling == Ruling::held && judgement.wrong && !property.name.ends_with("verdict"))
     return Ruling::outside;
-  // A boundary's property says nothing of a case beside the boundary: there the verdict alone counts. Of one
-  // that stays on it nothing is known where it is not judged.
-  const auto* position = std::get_if<Position>(&answer);
-  const bool is_lost = position != nullptr && *position != std::get<Position>(oracle::answer(one));
-  const bool is_beside = property.claim == Claim::exact && ruling == Ruling::outside && !is_lost;
+  // A boundary's property says nothing of a case beside the boundary: there the verdict alone counts.
+  const bool is_beside = property.claim == Claim::exact && ruling == Ruling::outside;
   return is_beside && !judgement.wrong ? Ruling::held : ruling;
 }
 
