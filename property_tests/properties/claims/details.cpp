@@ -104,9 +104,16 @@ oracle::Judgement of_line(Trial& trial, bool is_tangent) {
   return oracle::judge(line, claimed);
 }
 
+/// Whether a hit is so far from every edge, and end of the interval, that no rounding puts it there.
+bool is_far_inside(const Trial& trial, double band) {
+  constexpr double far = 1024;
+  const double reach = std::max(band, robust_bound(trial.subject().topic).value_or(band));
+  return oracle::judge(trial.question(), RayAnswer{}).margin > far * reach;
+}
+
 /// A method need not say more of a hit than that there is one; what it says more than that must be so. One
 /// hit or two on the line is a verdict, for which the same band holds. Which of a figure's places a guest's
-/// rounding takes a hit for is judged where a plain method rounds nothing.
+/// rounding takes a hit for is judged where a plain method rounds nothing, and far from the edges.
 Ruling touch(Trial& trial) {
   const auto* claimed = std::get_if<RayAnswer>(&trial.claimed());
   if (claimed == nullptr || claimed->hits.count == 0 || !trial.in_domain()) return Ruling::outside;
@@ -117,7 +124,10 @@ Ruling touch(Trial& trial) {
   if (claimed->contact == exact) return Ruling::held;
   const bool is_touch = claimed->contact == Contact::tangent || exact == Contact::tangent;
   const bool may_round = !trial.subject().has_own_contract && !is_exact_for_some_method(trial.question());
-  if (!is_touch) return claimed->contact == Contact::crossing || may_round ? Ruling::held : Ruling::broken;
+  if (!is_touch) {
+    const bool is_open = may_round && !(exact == Contact::crossing && is_far_inside(trial, band));
+    return claimed->contact == Contact::crossing || is_open ? Ruling::held : Ruling::broken;
+  }
   if (exact == Contact::rim) return Ruling::held;  // where a line touches the side it is both
   const oracle::Judgement of_count = of_line(trial, claimed->contact == Contact::tangent);
   const bool is_excused = band > 0 && of_count.margin <= band;

@@ -24,6 +24,13 @@ constexpr double nearly_as_good(const Hypothesis& cause) {
   return cause.of_sizes == OfSizes::nothing ? 0.97 : 1;
 }
 
+/// What a name has in common with those of other limits, "epsilon" of "epsilon-1e-4"; empty where it is of
+/// none.
+std::string_view stem_of_limit(std::string_view name) {
+  const std::size_t end = name.rfind("-1e");
+  return end == std::string_view::npos ? std::string_view{} : name.substr(0, end);
+}
+
 }  // namespace
 
 Cover::Cover(std::span<const Complaint* const> complaints) {
@@ -71,9 +78,21 @@ std::vector<Cover::Candidate> Cover::chosen() const {
     const auto place = open.begin() + (best - worth.begin());
     taken.push_back(std::move(*place));
     open.erase(place);
+    take_other_limits(taken.back(), open);
     for (std::size_t k = 0; k < sheets_.size(); ++k)
       left[k] = without(left[k], without(taken.back().explained[k], kept_for_models(taken.back(), k, open)));
   }
+}
+
+/// Two limits of one kind are one fault, of which the one that explains more is nearer to the limit.
+void Cover::take_other_limits(Candidate& taken, std::vector<Candidate>& open) {
+  const std::string_view stem = stem_of_limit(taken.cause->name);
+  if (stem.empty()) return;
+  for (const Candidate& one : open)
+    if (stem_of_limit(one.cause->name) == stem)
+      for (std::size_t k = 0; k < one.explained.size(); ++k)
+        taken.explained[k] = united(taken.explained[k], one.explained[k]);
+  std::erase_if(open, [&](const Candidate& one) { return stem_of_limit(one.cause->name) == stem; });
 }
 
 /// The cases of a complaint that a cure helps in which only avoids what is asked, and that a model foresees.

@@ -45,6 +45,7 @@ class Cover {
   [[nodiscard]] Candidate* model_of(const Candidate& cure, std::vector<Candidate>& candidates) const;
   void name_by_models(std::vector<Candidate>& candidates) const;
   [[nodiscard]] std::vector<Candidate> chosen() const;
+  static void take_other_limits(Candidate& taken, std::vector<Candidate>& open);
   [[nodiscard]] Indices kept_for_models(const Candidate& cure, std::size_t complaint,
                                         std::span<const Candidate> open) const;
   [[nodiscard]] std::vector<Diagnosis> groups_of(std::size_t complaint,

@@ -53,6 +53,10 @@ void describe(Diagnosis& group, const Examination& examination) {
   group.kind = group.cause->kind;
   const bool has_own_words = examination.is_equation() && !group.cause->of_equation.empty();
   group.sentence = has_own_words ? group.cause->of_equation : group.cause->sentence;
+  if (group.cause->asked != Asking::in_turn && examination.run_along_surface(group.cases))
+    group.sentence +=
+        "; it is seen where the ray runs along the surface alone: what is given there is what was left from "
+        "the case before";
   if (group.kind == FindingKind::gross && is_of_sizes_alone(group, examination))
     group.kind = FindingKind::range;
   if (group.cause->change == nullptr || group.kind == FindingKind::gross) return;

@@ -4,6 +4,7 @@
 
 #include "properties/claims/answers.hpp"
 #include "properties/diagnosis/examination/examination.hpp"
+#include "properties/diagnosis/models/outlines/near_sides.hpp"
 #include "subjects/default_contract.hpp"
 #include "unit/diagnosis/clinic.hpp"
 #include "unit/diagnosis/faulty/faulty.hpp"
@@ -12,6 +13,7 @@ namespace rayproof::faulty {
 namespace {
 
 using Causes = std::set<std::string_view>;
+using diagnosis::Answers;
 
 /// The causes that are named where these properties are looked at in both precisions.
 Causes causes_of(const Subject& subject,
@@ -147,6 +149,30 @@ TEST(Cover, TakesOfMistakesThatExplainNearlyAsManyTheOneLeastContradicted) {
   EXPECT_EQ(best({10, 40, 37, 38}, {0, 9, 2, 5}), 2U);
   EXPECT_EQ(best({10, 40, 30}, {0, 9, 0}), 1U) << "30 are far fewer than 40";
   EXPECT_EQ(best({0, 0}, {5, 0}), 0U) << "nothing is explained";
+}
+
+/// A ray is taken for parallel where |n·d| is below the machine epsilon of float, whatever the precision.
+Answer above_float_epsilon(const Case& one) {
+  const Answer exact = oracle::answer(one);
+  const auto missed = find_hypothesis("slope-float-epsilon")->predict(one, exact);
+  return missed.empty() ? exact : missed.front();
+}
+
+TEST(Cover, NamesOneEpsilonOfBothPrecisions) {
+  EXPECT_EQ(causes_of("plane", above_float_epsilon), Causes{"slope-float-epsilon"});
+}
+
+/// Whatever is nearer to a side than 3e-4 is on the boundary: between two of the limits that are known.
+Answer near_the_boundary(const Case& one) {
+  const Answer exact = oracle::answer(one);
+  const Answers near = diagnosis::within_of_boundary(one, exact, 3e-4);
+  return near.empty() ? exact : near.front();
+}
+
+TEST(Cover, NamesOneLimitWhereTheRightOneLiesBetweenTwoThatAreKnown) {
+  const Causes causes = causes_of("point_in_polygon", near_the_boundary);
+  EXPECT_EQ(causes.size(), 1U) << testing::PrintToString(causes);
+  EXPECT_TRUE(causes.begin()->starts_with("boundary-near-")) << testing::PrintToString(causes);
 }
 
 /// Back faces are culled where the transform mirrors.

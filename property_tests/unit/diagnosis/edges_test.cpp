@@ -140,5 +140,16 @@ TEST(DiagnosisOfSizes, CallsAFaultOneOfRangeThatNoOrdinarySizeShows) {
   EXPECT_EQ(kinds_and_causes<Fault::ignores_t_min>(), std::set<std::string>{"gross: ignores-t-min"});
 }
 
+TEST(DiagnosisOfSizes, MakesNoSceneSoSmallThatItsNumbersVanish) {
+  for (const auto& [precision, scenes] :
+       {std::pair(Precision::float32, 4U), std::pair(Precision::float64, 5U)}) {
+    const Case one{.precision = precision,
+                   .question = PointAndPolygon<double>{{3, 4}, {{3, 4}, {-4, 4}, {1, -4}}}};
+    const std::vector<Case> smaller = find_hypothesis("smaller-scene")->change(one);
+    EXPECT_EQ(smaller.size(), scenes) << name_of(precision) << ": by 2^-200 no float is left";
+    for (const Case& other : smaller) EXPECT_NE(std::get<PointAndPolygon<double>>(other.question).point.x, 0);
+  }
+}
+
 }  // namespace
 }  // namespace rayproof::faulty

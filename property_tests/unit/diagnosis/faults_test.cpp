@@ -144,6 +144,25 @@ TEST(Diagnosis, KnowsChanceByAskingTheSameCaseAgain) {
   EXPECT_TRUE(found.starts_with("asked-again ")) << found;
 }
 
+/// Where the ray runs along the plane t is that of the case before.
+Answer with_t_left_from_before(const Case& one) {
+  static double last = 1;
+  auto answer = std::get<RayAnswer>(oracle::answer(one));
+  if (answer.hits.count > 0) last = answer.hits.t[0];
+  const bool is_along = answer.contact == Contact::parallel || answer.contact == Contact::in_surface;
+  if (is_along && in_interval(std::get<RayQuestion>(one.question).ray, last)) answer.hits.push_back(last);
+  return answer;
+}
+
+TEST(Diagnosis, SaysThatWhatIsGivenAlongAPlaneIsLeftFromTheCaseBefore) {
+  const Subject subject = subject_of("plane", with_t_left_from_before);
+  const auto groups = faults_of(subject, *find_property("residual"), Precision::float64);
+  ASSERT_FALSE(groups.empty());
+  EXPECT_TRUE(in_words(groups).starts_with("asked-again ")) << in_words(groups);
+  EXPECT_TRUE(groups.front().sentence.ends_with("what was left from the case before"))
+      << groups.front().sentence;
+}
+
 /// No t: what a program of verdicts says.
 Answer verdict_alone(bool is_hit) {
   RayAnswer verdict{.verdict_only = true};

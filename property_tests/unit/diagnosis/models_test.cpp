@@ -66,6 +66,32 @@ TEST(ModelOfNumbersOfAShape, SaysNothingOfAnEquation) {
   EXPECT_TRUE(foreseen_by("whole-shape", one).empty());
 }
 
+TEST(ModelOfNumbersInFloats, SaysThatWhatIsTooLargeForThemMayBeMissed) {
+  const auto triangle = [](double size) {
+    return Case{
+        .precision = Precision::float64,
+        .question = RayQuestion{.ray = {{0, 0, -size}, {1, 1, 1}, 0, infinity<double>},
+                                .shape = Triangle<double>{{0, 0, 0}, {0, 16 * size, 0}, {16 * size, 0, 0}}}};
+  };
+  ASSERT_EQ(foreseen_by("shape-in-float", triangle(1e40)).size(), 2U);
+  EXPECT_EQ(std::get<RayAnswer>(foreseen_by("shape-in-float", triangle(1e40))[0]).hits.count, 0U);
+  EXPECT_EQ(foreseen_by("shape-in-float", triangle(1e30)).size(), 1U);
+}
+
+TEST(ModelOfThePlaneThroughTheMean, MovesThePointOfAPolygonThatIsNotFlat) {
+  const auto polygon = [](double lift) {
+    return Case{.precision = Precision::float64,
+                .question = RayQuestion{
+                    .ray = {{0.25, 0.25, -2}, {0, 0, 1}, 0, infinity<double>},
+                    .shape = Polygon<double>{{{0, 0, lift}, {1, 0, 0}, {1, 1, lift}, {0, 1, 0}}}}};
+  };
+  const auto z_of_point = [&](double lift) {
+    return std::get<RayAnswer>(foreseen_by("point-on-plane-through-mean", polygon(lift)).at(0)).point->z;
+  };
+  EXPECT_EQ(z_of_point(0), 0);
+  EXPECT_EQ(z_of_point(0.5), 0.25);
+}
+
 TEST(ModelOfAMovedPoint, SaysNothingOfABoundaryThatThePointStaysOn) {
   const auto at = [](double x) {
     return Case{.precision = Precision::float64,
@@ -174,7 +200,12 @@ TEST(Diagnosis, NamesWhatIsWronglySaidOfTheFirstHit) {
                                                {"triangle", "normal", "normal-flipped-by-mirror"},
                                                {"sphere", "normal", "normal-by-columns"},
                                                {"sphere", "normal", "normal-of-far-hit"},
-                                               {"triangle", "point", "point-by-other-weights"}}) {
+                                               {"triangle", "point", "point-by-other-weights"},
+                                               {"polygon", "normal", "normal-about-mean"},
+                                               {"triangle", "touch", "vertex-called-edge"},
+                                               {"triangle", "touch", "edge-called-vertex"},
+                                               {"triangle", "touch", "crossing-called-edge"},
+                                               {"triangle", "touch", "edge-called-near-1e-2"}}) {
     planted = find_hypothesis(model);
     const Subject subject = subject_of(topic, [](const Case& one) { return foreseen(*planted, one); });
     const auto groups = faults_of(subject, *find_property(property), Precision::float64, 60);

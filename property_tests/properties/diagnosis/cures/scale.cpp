@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "properties/claims/similarity.hpp"
@@ -6,14 +7,22 @@
 namespace rayproof::diagnosis {
 namespace {
 
-/// The case with its lengths and its direction (or its equation) times 2^steps, for each number of steps.
+/// Whether both have the same numbers.
+bool have_same_numbers(Case one, Case other) {
+  return std::ranges::equal(
+      numbers_of(one), numbers_of(other), {}, [](const CaseNumber& x) { return *x.value; },
+      [](const CaseNumber& x) { return *x.value; });
+}
+
+/// The case with its lengths and its direction (or its equation) times 2^steps, for each number of steps that
+/// loses no digits: a shape of which all is rounded to 0 is another question.
 Cases scaled_cases(const Case& one, std::initializer_list<int> steps, bool are_lengths) {
   Cases all;
   for (const int step : steps) {
     const double factor = std::ldexp(1.0, step);
     const Twin twin = are_lengths ? scaled_twin(one, factor, 1) : scaled_twin(one, 1, factor);
-    const Cases valid = if_valid(twin.one);
-    all.insert(all.end(), valid.begin(), valid.end());
+    for (Case& valid : if_valid(twin.one))
+      if (have_same_numbers(twin.one, valid)) all.push_back(std::move(valid));
   }
   return all;
 }

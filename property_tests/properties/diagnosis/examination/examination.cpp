@@ -203,6 +203,13 @@ std::size_t Examination::count_of_numbers(std::span<const std::size_t> cases) co
   }));
 }
 
+bool Examination::run_along_surface(std::span<const std::size_t> cases) const {
+  return std::ranges::all_of(cases, [&](std::size_t i) {
+    const auto* exact = std::get_if<RayAnswer>(&failing_.at(i).asked.exact);
+    return exact != nullptr && (exact->contact == Contact::parallel || exact->contact == Contact::in_surface);
+  });
+}
+
 bool Examination::finds_nothing(std::span<const std::size_t> cases) const {
   return std::ranges::none_of(
       cases, [&](std::size_t i) { return finds_something(failing_.at(i).got.value_or(Answer{})); });

@@ -73,6 +73,8 @@ class Examination {
   [[nodiscard]] bool is_shown_whole(const Hypothesis& model, std::span<const std::size_t> explained) const;
   /// In how many of these failing cases the verdict is right, and what is wrong is a number.
   [[nodiscard]] std::size_t count_of_numbers(std::span<const std::size_t> cases) const;
+  /// Whether the ray runs along a plane, or a figure in one, in all of these failing cases.
+  [[nodiscard]] bool run_along_surface(std::span<const std::size_t> cases) const;
   /// Whether the subject finds nothing in any of these failing cases.
   [[nodiscard]] bool finds_nothing(std::span<const std::size_t> cases) const;
   /// Whether it finds nothing in any case, failing or not.

@@ -1,6 +1,8 @@
 /// \file
 /// Faults in what is said of the first hit, and classes of cases that are not handled.
 
+#include <fmt/format.h>
+
 #include "properties/diagnosis/models/curved/quadratic.hpp"
 #include "properties/diagnosis/models/curved/shortcuts.hpp"
 #include "properties/diagnosis/models/cylinders/normals.hpp"
@@ -9,6 +11,7 @@
 #include "properties/diagnosis/models/first_hit/weights.hpp"
 #include "properties/diagnosis/models/flat/flat.hpp"
 #include "properties/diagnosis/models/flat/weights.hpp"
+#include "properties/diagnosis/models/flat/wrong_plane.hpp"
 #include "properties/diagnosis/models/hits/contacts.hpp"
 #include "properties/diagnosis/models/hits/hits.hpp"
 #include "properties/diagnosis/models/hits/interval.hpp"
@@ -29,11 +32,25 @@ constexpr std::string_view exchanged_in_words =
     "the normals of two of the three pairs of faces are exchanged";
 
 Hypothesis given_undivided_weights() {
-  Hypothesis made =
-      gives_one_of("given-undivided", given_undivided,
-                   "the hit is right, and beta or gamma is given before it is divided by the determinant");
+  Hypothesis made = gives_one_of(
+      "given-undivided", given_undivided,
+      "the hit is right, and beta, gamma or all three weights are given before they are divided by "
+      "the determinant");
   made.aspect = Aspect::coordinates;
   return made;
+}
+
+Hypothesis of_contact(std::string_view name, Predict predict, std::string_view sentence) {
+  return gives(name, predict, sentence, boundary, Aspect::contact);
+}
+
+template <int power>
+Hypothesis edge_called_near() {
+  return of_contact(
+      kept(fmt::format("edge-called-near-1e{}", power)), called_by_weights<power>,
+      kept(fmt::format("a hit is called edge, or vertex, where a barycentric coordinate is below "
+                       "about 1e{}: a tolerance",
+                       power)));
 }
 
 Hypothesis normal_of_one_of(std::string_view name, Predict predict, std::string_view sentence) {
@@ -46,13 +63,29 @@ Hypothesis normal_of_one_of(std::string_view name, Predict predict, std::string_
 
 std::vector<Hypothesis> models_of_first_hits() {
   return {
+      of_contact("vertex-called-edge", called<Contact::vertex, Contact::edge>,
+                 "a hit at a vertex is called edge"),
+      of_contact("edge-called-vertex", called<Contact::edge, Contact::vertex>,
+                 "a hit on an edge is called vertex"),
+      edge_called_near<-9>(),
+      edge_called_near<-8>(),
+      edge_called_near<-7>(),
+      edge_called_near<-6>(),
+      edge_called_near<-5>(),
+      edge_called_near<-4>(),
+      edge_called_near<-3>(),
+      edge_called_near<-2>(),
+      edge_called_near<-1>(),
+      of_contact("crossing-called-edge", called<Contact::crossing, Contact::edge>,
+                 "a hit inside the shape, far from its edges, is called edge"),
       gives("contact-parallel", in_surface_is_parallel, "a ray inside the plane is called parallel", gross,
             Aspect::contact),
       gives("contacts-exchanged", reasons_exchanged,
             "a ray inside the plane is called parallel, and one parallel to it is said to be inside: the two "
             "are exchanged",
             gross, Aspect::contact),
-      gives("no-reason", no_reason, "it does not say why the ray misses", gross, Aspect::contact),
+      following("asked-again",
+                gives("no-reason", no_reason, "it does not say why the ray misses", gross, Aspect::contact)),
       gives("normal-faces-ray", normal_faces_ray,
             "the normal is turned to face the ray, whatever side the surface says", gross, Aspect::normal),
       gives("normal-follows-ray", normal_follows_ray,
@@ -125,6 +158,10 @@ std::vector<Hypothesis> models_of_first_hits() {
                 gives("normal-of-first-corner", normal_of_first_corner,
                       "the normal is that of the first three vertices, which a concave corner turns round",
                       gross, Aspect::normal)),
+      normal_of_one_of(
+          "normal-about-mean", normal_about_mean,
+          "the normal is that of two vertices and the mean of all, on which side of their side it may lie "
+          "where the polygon is concave"),
       gives("normal-of-circle", normal_of_circle,
             "the normal of an elliptic cylinder is (x, y, 0), and must be (x/rx², y/ry², 0)", gross,
             Aspect::normal),
@@ -185,6 +222,10 @@ std::vector<Hypothesis> models_of_first_hits() {
             Aspect::point),
       shows("point-beside-ray", point_beside_ray,
             "the point does not lie on the ray's line: it is no o + t·d", gross, Aspect::point),
+      gives("point-on-plane-through-mean", point_on_plane_through_mean,
+            "the point lies in the plane through the mean of the vertices, which must go through the first: "
+            "they need not lie in one plane",
+            gross, Aspect::point),
       gives("barycentric-acb", in_order<0, 2, 1>, "the barycentric coordinates stand in the order of a, c, b",
             gross, Aspect::coordinates),
       gives("barycentric-bac", in_order<1, 0, 2>, "the barycentric coordinates stand in the order of b, a, c",
@@ -223,8 +264,9 @@ std::vector<Hypothesis> classes_of_cases() {
       strictly(
           gives("mirrored-missed", mirrored_missed,
                 "what a matrix mirrors is missed: its determinant is negative, and is taken for too small")),
-      shows("parallel-hit", parallel_is_hit,
-            "a ray along the plane, parallel to it or inside it, is reported as a hit"),
+      following("asked-again",
+                shows("parallel-hit", parallel_is_hit,
+                      "a ray along the plane, parallel to it or inside it, is reported as a hit")),
       shows("no-area-hit", no_area_is_hit,
             "a figure without area is reported as a hit: its normal is 0, and must be asked for"),
       shows("zero-slope-hit", zero_slope_is_hit,

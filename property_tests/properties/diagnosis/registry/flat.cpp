@@ -200,6 +200,11 @@ std::vector<Hypothesis> models_of_flat_figures() {
           "small-bounding-sphere", beyond_small_sphere,
           "what its bounding sphere does not hold is missed: that is too small, as where one vertex is "
           "forgotten"),
+      gives_one_of(
+          "polygon-beyond-small-sphere", polygon_beyond_small_sphere,
+          "a hit of a polygon is left out where it is too far from the first vertex, or from the mean "
+          "of all: what is to hold the polygon, a radius by some of its vertices or sides, is too "
+          "small"),
       gives_one_of("newell-wrong", newell_wrong,
                    "a sign is wrong in a component of Newell's normal, the sum of (y_i - y_j)·(z_i + z_j) "
                    "and so on"),
@@ -211,6 +216,10 @@ std::vector<Hypothesis> models_of_flat_figures() {
       gives("constant-as-distance", read_as<constant_as_distance>,
             "the answer is right where d is a distance along a unit normal: the normal is taken for a unit "
             "vector"),
+      gives(
+          "constant-without-cosine", constant_without_cosine,
+          "the constant of a plane is |n||p|, the product of two lengths, and must be n·p: the cosine of the "
+          "angle between them is missing"),
       gives("plane-parallelogram", read_as<plane_as_parallelogram>,
             "only the parallelogram of u and v is hit, and not the whole plane"),
       gives("figure-through-zero", plane_through_zero,
@@ -226,6 +235,10 @@ std::vector<Hypothesis> models_of_flat_figures() {
           "plane-through-mean", plane_through_mean,
           "the plane goes through the mean of the vertices, and must through the first: they need not lie in "
           "one plane"),
+      gives_one_of(
+          "projected-along-two-axes", projected_along_two_axes,
+          "the hit's point and the vertices are not projected along the same axis: of one of them the same "
+          "coordinate is always left out, of the other that in which the normal is largest"),
       gives("coefficients-missing", numerator_without_coefficients,
             "t is -(x + y + z + D) / (n·d): the plane's coefficients are missing in the numerator"),
       gives("flat-bounds-missed", flat_bounds_missed,
@@ -240,7 +253,13 @@ std::vector<Hypothesis> models_of_flat_figures() {
             "a surface is missed where |n·d|, the determinant of a triangle's formula, is below the machine "
             "epsilon of the type, 1.2e-7 or 2.2e-16: it is no measure of that")));
   all.back().differs_by_precision = true;
-  add_small_slopes<-16, -15, -14, -13, -12, -10, -9, -8, -7, -6, -5, -4, -3, -2>(all);
+  add_small_slopes<-16, -15, -14, -13, -12, -10, -9, -8, -7>(all);
+  all.push_back(of(
+      OfSizes::small,
+      gives("slope-float-epsilon", slope_below_float_epsilon_missed,
+            "a surface is missed where |n·d|, the determinant of a triangle's formula, is below the machine "
+            "epsilon of float, 1.2e-7, in doubles, too: it is no measure of that")));
+  add_small_slopes<-6, -5, -4, -3, -2>(all);
   return all;
 }
 

@@ -148,6 +148,9 @@ std::vector<Hypothesis> models_of_hits() {
           "t-max-as-object-distance", read_as<t_max_as_object_distance>,
           "the answer is right where t_max is a length in object space: it is compared with a distance, not "
           "with t"),
+      gives_one_of("t-squared-to-t-max", t_squared_to_t_max,
+                   "t_max is compared with the square of t, or of a distance, and must be with t: a square "
+                   "root is missing"),
       gives("t-from-t-min", t_from_t_min, "t + t_min is right: t is counted from the interval's beginning"),
       gives("interval-as-object-distances", read_as<interval_as_object_distances>,
             "the answer is right where t_min and t_max are lengths in object space: they are compared with "

@@ -5,6 +5,8 @@
 
 #include "properties/claims/answers.hpp"
 #include "properties/diagnosis/models/flat/weights.hpp"
+#include "properties/diagnosis/models/outlines/half_open_sides.hpp"
+#include "properties/diagnosis/models/outlines/left_out.hpp"
 #include "properties/diagnosis/models/outlines/near_sides.hpp"
 #include "properties/diagnosis/models/outlines/outline.hpp"
 #include "properties/diagnosis/models/outlines/small_box.hpp"
@@ -39,6 +41,37 @@ Hypothesis loose_boundary() {
   return below_power("boundary-loose", power, near_sides_boundary<power>,
                      "what lies beside a side is said to be on the boundary where the cross product is below "
                      "about 1e{}: an absolute epsilon");
+}
+
+template <int power>
+Hypothesis near_boundary() {
+  return below_power("boundary-near", power, within_of_boundary<power>,
+                     "what is nearer to a side than about 1e{} is said to be on the boundary: an absolute "
+                     "epsilon");
+}
+
+template <EndOfSide end>
+Hypothesis end_not_on_boundary(std::string_view name, std::string_view words) {
+  return gives(kept(fmt::format("{}-end-not-on-boundary", name)), lost_at_end<end>,
+               kept(fmt::format("a vertex at which both its sides have their {} is not said to be on the "
+                                "boundary: a side is taken without that end, by < where <= belongs",
+                                words)),
+               boundary);
+}
+
+template <std::size_t count>
+Hypothesis of_first_vertices(std::string_view number) {
+  return gives(kept(fmt::format("first-{}-vertices", number)), first_vertices<count>,
+               kept(fmt::format("only the first {} vertices are looked at", number)));
+}
+
+template <int from>
+Hypothesis missing_side(std::string_view name, std::string_view words) {
+  Hypothesis made =
+      gives_one_of(name, side_missing<from>,
+                   kept(fmt::format("the side from the {} is forgotten, or counts twice", words)));
+  made.least_share = 90;
+  return made;
 }
 
 /// What is right inside and wrong outside may look at no side at all.
@@ -88,14 +121,25 @@ std::vector<Hypothesis> models_of_outlines() {
                    last_side_in_words),
       gives_to_all("last-side-missing-downward", inside_by<InsideRule::last_side, Sweep::downward>,
                    last_side_in_words),
+      missing_side<0>("first-side-missing", "first vertex to the second"),
+      missing_side<1>("second-side-missing", "second vertex to the third"),
+      missing_side<-2>("last-but-one-side-missing", "last vertex but one to the last"),
       gives("first-triangle", inside_by<InsideRule::first_triangle>,
             "only the first three vertices are looked at"),
+      gives(
+          "side-without-length", on_side_without_length,
+          "where a vertex stands twice in a row every point is said to be on the boundary: the side between "
+          "has no length, and all that is asked of it is 0"),
       gives("endless-boundary", endless_boundary,
             "a point on the line of a side, beyond its ends, is said to be on the boundary"),
       gives(
           "endless-upright-boundary", endless_upright_boundary,
           "a point on the line of an upright side, beyond its ends, is said to be on the boundary: y is not "
           "compared"),
+      end_not_on_boundary<EndOfSide::right>("right", "greatest x"),
+      end_not_on_boundary<EndOfSide::left>("left", "least x"),
+      end_not_on_boundary<EndOfSide::upper>("upper", "greatest y"),
+      end_not_on_boundary<EndOfSide::lower>("lower", "least y"),
       gives("lost-on-bounds", lost_on_bounds,
             "a point of the boundary on the border of the bounding box is said to be outside: the box is "
             "compared by <= and >= where < and > belong",
@@ -116,10 +160,14 @@ std::vector<Hypothesis> models_of_outlines() {
           "bounds-but-one", outside_small_box,
           "what lies outside the bounding box of all vertices but the first, or the last, is said to "
           "be outside: that box is too small"),
-      gives("first-four-vertices", inside_by<InsideRule::first_four>,
-            "only the first four vertices are looked at"),
-      gives("first-eight-vertices", inside_by<InsideRule::first_eight>,
-            "only the first eight vertices are looked at"),
+      of_first_vertices<4>("four"),
+      of_first_vertices<5>("five"),
+      of_first_vertices<6>("six"),
+      of_first_vertices<7>("seven"),
+      of_first_vertices<8>("eight"),
+      of_first_vertices<10>("ten"),
+      of_first_vertices<12>("twelve"),
+      of_first_vertices<16>("sixteen"),
       gives("upright-sides", inside_by<InsideRule::upright_sides>,
             "an upright side counts as crossed on whichever side of the point it lies: x is not compared "
             "there"),
@@ -156,11 +204,21 @@ std::vector<Hypothesis> models_of_outlines() {
       gives("inside-out", inside_out, "inside is called outside, and outside inside"),
       loose_boundary<-9>(),
       loose_boundary<-8>(),
+      loose_boundary<-7>(),
       loose_boundary<-6>(),
       loose_boundary<-5>(),
       loose_boundary<-4>(),
       loose_boundary<-3>(),
       loose_boundary<-2>(),
+      near_boundary<-9>(),
+      near_boundary<-8>(),
+      near_boundary<-7>(),
+      near_boundary<-6>(),
+      near_boundary<-5>(),
+      near_boundary<-4>(),
+      near_boundary<-3>(),
+      near_boundary<-2>(),
+      near_boundary<-1>(),
       closed_gaps<-6>(),
       closed_gaps<-5>(),
       closed_gaps<-4>(),

@@ -144,7 +144,7 @@ std::vector<Hypothesis> models_of_readings() {
       whole_shape(),
       of(OfSizes::type,
          gives(
-             "shape-in-float", off_boundary_read_as<numbers_in_float>,
+             "shape-in-float", with_shape_in_float,
              "the answer is right for the shape's numbers, and a point's, rounded to floats, though the case "
              "is of float64",
              rounding)),

@@ -68,6 +68,10 @@ std::vector<Hypothesis> models_of_weights() {
             "t is right, and u is not divided by the determinant before it is compared with 0 and 1"),
       gives("gamma-undivided", undivided<&TriangleHit::gamma>,
             "t is right, and v is not divided by the determinant before it is compared with 0 and 1"),
+      gives(
+          "weights-without-signs", weights_without_signs,
+          "|u| + |v| <= 1 is asked, and must be u >= 0, v >= 0 and u + v <= 1: the triangle's mirror images "
+          "about the vertex a are hit, too"),
       gives("weights-times-area", with_weights<undivided_by_area>,
             "t is right, and the weights are not divided by n·n, the square of twice the area"),
       gives_to_all("factors-exchanged", with_weights<exchanged_factors>,

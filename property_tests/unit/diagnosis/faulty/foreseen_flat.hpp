@@ -128,6 +128,20 @@ inline constexpr Foreseen foreseen_faults_of_flat[] = {
     {"triangle", "small-area-1e-3"},
     {"polygon", "small-area-1e-2"},
     {"triangle", "shape-grid-100"},
+    {"point_in_polygon", "first-side-missing"},
+    {"polygon", "second-side-missing"},
+    {"point_in_polygon", "last-but-one-side-missing"},
+    {"point_in_polygon", "first-five-vertices"},
+    {"polygon", "first-six-vertices"},
+    {"point_in_polygon", "side-without-length"},
+    {"point_in_polygon", "right-end-not-on-boundary"},
+    {"point_in_polygon", "lower-end-not-on-boundary"},
+    {"point_in_polygon", "boundary-near-1e-3"},
+    {"plane", "constant-without-cosine"},
+    {"polygon", "projected-along-two-axes"},
+    {"polygon", "polygon-beyond-small-sphere"},
+    {"triangle", "weights-without-signs"},
+    {"plane", "t-squared-to-t-max"},
 };
 
 }  // namespace rayproof::faulty

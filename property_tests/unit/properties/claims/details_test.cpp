@@ -131,6 +131,15 @@ TEST(DetailsProperties, WhichOfItsPlacesAGuestRoundsAHitToIsJudgedWhereNothingIs
   EXPECT_EQ(rule_of_guest(R"({"precision": "float64", "ray": {"origin": [2, 0, 1], "direction": [0, 0, -1]},
     "shape": {"type": "triangle", "a": [0, 0, 0], "b": [4, 0, 0], "c": [0, 4, 0]}})"),
             Ruling::broken);
+  // Far inside, at 1/0.1 lengths, no rounding makes an edge; beside an edge it may.
+  EXPECT_EQ(
+      rule_of_guest(R"({"precision": "float64", "ray": {"origin": [0.1, 0.1, 1], "direction": [0.3, 0, -0.1]},
+    "shape": {"type": "triangle", "a": [0, 0, 0], "b": [10, 0, 0], "c": [0, 1, 0]}})"),
+      Ruling::broken);
+  EXPECT_EQ(rule_of_guest(
+                R"({"precision": "float64", "ray": {"origin": [0.1, 1e-16, 1], "direction": [0.3, 0, -0.1]},
+    "shape": {"type": "triangle", "a": [0, 0, 0], "b": [10, 0, 0], "c": [0, 1, 0]}})"),
+            Ruling::held);
 }
 
 }  // namespace

@@ -112,6 +112,23 @@ Answers normal_of_first_corner(const Case& one, const Answer& exact) {
   });
 }
 
+Answers normal_about_mean(const Case& one, const Answer& exact) {
+  const auto* polygon = shape_in<Polygon<double>>(one);
+  const auto* answer = std::get_if<RayAnswer>(&exact);
+  if (polygon == nullptr || answer == nullptr || !answer->normal) return {};
+  const auto& v = polygon->vertices;
+  glm::dvec3 mean(0);
+  for (const glm::dvec3& vertex : v) mean += vertex / static_cast<double>(v.size());
+  Answers answers;
+  for (const std::size_t i : {std::size_t{0}, v.size() - 1, std::size_t{1}}) {
+    const glm::dvec3 normal = glm::cross(v[i] - mean, v[(i + 1) % v.size()] - mean);
+    RayAnswer other = *answer;
+    if (normal != glm::dvec3(0)) other.normal = glm::normalize(map_of_normals(*ray_question(one)) * normal);
+    answers.emplace_back(other);
+  }
+  return answers;
+}
+
 std::optional<bool> normal_of_other_face(const Case& one, const Answer& got, const Answer& exact) {
   if (shape_in<Box<double>>(one) == nullptr || agree(one, got, exact, Aspect::normal)) return std::nullopt;
   const auto* mine = std::get_if<RayAnswer>(&got);

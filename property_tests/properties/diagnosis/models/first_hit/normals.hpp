@@ -38,6 +38,10 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers normal_without_signs(const Case& one, const Answer& exact);
 /// A polygon's, turned as its first corner turns.
 [[nodiscard]] Answers normal_of_first_corner(const Case& one, const Answer& exact);
+/// The normal of a polygon is the cross product of the ways from the mean of its vertices to two that follow
+/// each other: the first and the second, the last and the first, or the second and the third. An answer for
+/// each.
+[[nodiscard]] Answers normal_about_mean(const Case& one, const Answer& exact);
 /// A box's normal along another axis, or between axes.
 [[nodiscard]] std::optional<bool> normal_of_other_face(const Case& one, const Answer& got,
                                                        const Answer& exact);

@@ -70,6 +70,10 @@ Answers slope_below_epsilon_missed(const Case& one, const Answer& exact) {
   return misses_small_slope(one, exact, one.precision == Precision::float32 ? 0x1p-23 : 0x1p-52);
 }
 
+Answers slope_below_float_epsilon_missed(const Case& one, const Answer& exact) {
+  return misses_small_slope(one, exact, 0x1p-23);
+}
+
 Answers misses_grazing(const Case& one, const Answer& exact, double sine) {
   const auto* answer = std::get_if<RayAnswer>(&exact);
   if (answer == nullptr || !answer->normal || !lies_in_a_plane(one)) return {};

@@ -29,6 +29,8 @@ template <int power>
 
 /// The same where the limit is the machine epsilon of the case's precision.
 [[nodiscard]] Answers slope_below_epsilon_missed(const Case& one, const Answer& exact);
+/// And where it is that of float, in both precisions.
+[[nodiscard]] Answers slope_below_float_epsilon_missed(const Case& one, const Answer& exact);
 
 /// @{ Only faces seen from the front are hit, or only those from the back; front is where the normal points.
 /// Of a solid: no ray that starts inside hits.

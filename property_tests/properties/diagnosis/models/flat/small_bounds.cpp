@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include "properties/claims/answers.hpp"
 
@@ -31,6 +32,33 @@ Answers beyond_small_sphere(const Case& one, const Answer& exact) {
     try_sphere(middle, std::max(to_p, to_q));
     try_sphere(middle, to_p);
   }
+  return answers;
+}
+
+Answers polygon_beyond_small_sphere(const Case& one, const Answer& exact) {
+  const auto* polygon = shape_in<Polygon<double>>(one);
+  if (polygon == nullptr || !finds_something(exact)) return {};
+  const Ray<double> ray = ray_in_object(*ray_question(one));
+  const glm::dvec3 hit = point_at(ray, std::get<RayAnswer>(exact).hits.t[0]);
+  const auto& v = polygon->vertices;
+  glm::dvec3 mean(0);
+  for (const glm::dvec3& vertex : v) mean += vertex / static_cast<double>(v.size());
+  std::vector<double> from_mean;
+  for (const glm::dvec3& vertex : v) from_mean.push_back(glm::distance(vertex, mean));
+  const double sum = std::accumulate(from_mean.begin(), from_mean.end(), 0.0);
+  const double first = glm::distance(v[0], v[1]), second = glm::distance(v[1], v[2]);
+  const double diagonal = glm::distance(v[0], v[2]), last = glm::distance(v.back(), v[0]);
+  Answers answers;
+  const auto try_sphere = [&](const glm::dvec3& centre, double radius) {
+    for (const double way : {glm::distance(hit, centre), distance_from_line(ray, centre)})
+      answers.push_back(way > radius ? Answer{RayAnswer{}} : exact);
+  };
+  for (const double radius :
+       {first + second, first + last, std::max(first, last), std::max(first, diagonal), first, last})
+    try_sphere(v[0], radius);
+  for (const double radius : {std::ranges::max(from_mean) / 2, sum / static_cast<double>(v.size()),
+                              std::ranges::min(from_mean), from_mean.front()})
+    try_sphere(mean, radius);
   return answers;
 }
 

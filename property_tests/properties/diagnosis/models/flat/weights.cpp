@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "properties/diagnosis/models/outlines/outline.hpp"
 
@@ -127,12 +128,14 @@ Answers given_undivided(const Case& one, const Answer& exact) {
   const auto* answer = std::get_if<RayAnswer>(&exact);
   if (!hit || answer == nullptr || !answer->barycentric) return {};
   Answers answers;
-  for (const auto& [b, c] :
-       {std::pair(hit->size, 1.0), std::pair(1.0, hit->size), std::pair(hit->size, hit->size)}) {
-    RayAnswer wrong = *answer;
-    wrong.barycentric = *answer->barycentric * glm::dvec3(1, b, c);
-    answers.emplace_back(wrong);
-  }
+  // Where the signs are turned with the determinant's it is its magnitude.
+  for (const double size : {hit->size, std::abs(hit->size)})
+    for (const glm::dvec3& factors :
+         {glm::dvec3(1, size, 1), glm::dvec3(1, 1, size), glm::dvec3(1, size, size), glm::dvec3(size)}) {
+      RayAnswer wrong = *answer;
+      wrong.barycentric = *answer->barycentric * factors;
+      answers.emplace_back(wrong);
+    }
   return answers;
 }
 
@@ -146,6 +149,11 @@ Answers undivided(const Case& one, double TriangleHit::*weight) {
   const bool is_hit = 0 <= whole && whole <= 1 && other >= 0 && hit->beta + hit->gamma <= 1;
   answers.push_back(given_weights(one, *hit, is_hit).front());
   return answers;
+}
+
+Answers weights_without_signs(const Case& one, const Answer& /*exact*/) {
+  const auto hit = triangle_hit(one);
+  return hit ? given_weights(one, *hit, std::abs(hit->beta) + std::abs(hit->gamma) <= 1) : Answers{};
 }
 
 Answers beyond_edge(const Case& one, int vertex) {

@@ -38,8 +38,8 @@ inline void undivided_by_area(TriangleHit& hit) {
   hit.gamma *= hit.area_squared;
 }
 /// @}
-/// The hit is right, and of the weights that are given for b and c one, or both, is not divided by the
-/// determinant. An answer for each.
+/// The hit is right, and of the weights that are given that of b, of c, both, or all three are not divided by
+/// the determinant, or its magnitude. An answer for each.
 [[nodiscard]] Answers given_undivided(const Case& one, const Answer& exact);
 /// The determinant is taken without its sign, of either order of its factors.
 [[nodiscard]] Answers determinant_without_sign(const Case& one, const Answer& exact);
@@ -52,6 +52,8 @@ template <double TriangleHit::*weight>
 [[nodiscard]] Answers undivided(const Case& one, const Answer& /*exact*/) {
   return undivided(one, weight);
 }
+/// Both weights are compared without their signs.
+[[nodiscard]] Answers weights_without_signs(const Case& one, const Answer& exact);
 /// The factors of one of the cross products are exchanged.
 inline void exchanged_factors(TriangleHit& hit) {
   hit.gamma = -hit.gamma;

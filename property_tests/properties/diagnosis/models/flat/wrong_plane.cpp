@@ -78,17 +78,66 @@ std::optional<bool> skewed_is_missed(const Case& one, const Answer& got, const A
   return area <= small_angle * glm::length(plane->u) * glm::length(plane->v);
 }
 
-Answers plane_through_mean(const Case& one, const Answer& /*exact*/) {
+Answers constant_without_cosine(const Case& one, const Answer& /*exact*/) {
+  const auto* plane = shape_in<PointNormalPlane>(one);
+  if (plane == nullptr) return {};
+  const Ray<double> ray = ray_in_object(*ray_question(one));
+  const auto& [point, normal] = *plane;
+  const double slope = glm::dot(normal, ray.direction);
+  const double constant = glm::length(normal) * glm::length(point);
+  return hit_at(one, (constant - glm::dot(normal, ray.origin)) / slope, slope != 0);
+}
+
+namespace {
+
+/// Where the line meets the plane through the mean of a polygon's vertices; nothing where it does not.
+std::optional<PlaneHit> hit_through_mean(const Case& one) {
   const auto figure = shape_in<Polygon<double>>(one) == nullptr ? std::nullopt : flat_figure(one);
   auto hit = figure ? plane_hit(one, *figure) : std::nullopt;
-  if (!hit) return {};
+  if (!hit) return hit;
   glm::dvec3 sum(0);
   for (const glm::dvec3& vertex : figure->vertices) sum += vertex;
   const glm::dvec3 mean = sum / static_cast<double>(figure->vertices.size());
   const Ray<double> ray = ray_in_object(*ray_question(one));
   hit->t = glm::dot(figure->normal, mean - ray.origin) / glm::dot(figure->normal, ray.direction);
   hit->point = projected(point_at(ray, hit->t), hit->axis);
-  return hit_at(one, hit->t, is_inside_outline(*hit));
+  return hit;
+}
+
+}  // namespace
+
+Answers plane_through_mean(const Case& one, const Answer& /*exact*/) {
+  const auto hit = hit_through_mean(one);
+  return hit ? hit_at(one, hit->t, is_inside_outline(*hit)) : Answers{};
+}
+
+Answers point_on_plane_through_mean(const Case& one, const Answer& exact) {
+  const auto hit = hit_through_mean(one);
+  if (!hit || !finds_something(exact)) return {};
+  RayAnswer other = std::get<RayAnswer>(exact);
+  other.point = point_at(ray_question(one)->ray, hit->t);
+  return {other};
+}
+
+Answers projected_along_two_axes(const Case& one, const Answer& /*exact*/) {
+  const auto figure = flat_figure(one);
+  const auto hit = figure ? plane_hit(one, *figure) : std::nullopt;
+  if (!hit) return {};
+  const glm::dvec3 point = point_at(ray_in_object(*ray_question(one)), hit->t);
+  const auto seen = [](const glm::dvec3& p, int axis, bool is_in_order) {
+    const glm::dvec2 left = projected(p, axis);
+    return is_in_order && axis == 1 ? glm::dvec2(left.y, left.x) : left;
+  };
+  Answers answers;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const bool is_in_order : {false, true})
+      for (const auto& [of_point, of_vertices] : {std::pair(axis, hit->axis), std::pair(hit->axis, axis)}) {
+        PlaneHit other{hit->t, seen(point, of_point, is_in_order), {}, hit->axis};
+        for (const glm::dvec3& vertex : figure->vertices)
+          other.vertices.push_back(seen(vertex, of_vertices, is_in_order));
+        answers.push_back(hit_at(one, hit->t, is_inside_outline(other)).front());
+      }
+  return answers;
 }
 
 Answers newell_wrong(const Case& one, const Answer& /*exact*/) {

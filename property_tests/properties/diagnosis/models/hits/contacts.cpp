@@ -60,6 +60,16 @@ std::optional<bool> in_surface_is_hit(const Case& one, const Answer& got, const 
   return may_miss ? std::nullopt : std::optional(false);
 }
 
+Answers called_by_weights(const Case& /*one*/, const Answer& exact, double limit) {
+  const auto* answer = std::get_if<RayAnswer>(&exact);
+  if (answer == nullptr || !answer->barycentric) return {};
+  const glm::dvec3& w = *answer->barycentric;
+  const int small = int{w.x < limit} + int{w.y < limit} + int{w.z < limit};
+  RayAnswer other = *answer;
+  other.contact = small > 1 ? Contact::vertex : small == 1 ? Contact::edge : Contact::crossing;
+  return {other};
+}
+
 Answers in_surface_is_parallel(const Case& one, const Answer& exact) {
   return is_contact(exact, Contact::in_surface) ? misses_by(one, Contact::parallel, exact) : Answers{};
 }

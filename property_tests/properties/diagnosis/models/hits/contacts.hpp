@@ -2,6 +2,8 @@
 /// \file
 /// Models of faults in how a ray touches a surface, and where a point lies on a boundary.
 
+#include <cmath>
+
 #include "properties/diagnosis/models/models.hpp"
 
 namespace rayproof::diagnosis {
@@ -21,6 +23,22 @@ template <Contact contact>
 [[nodiscard]] Answers boundary_is_inside(const Case& one, const Answer& exact);
 /// A ray that runs inside the surface is a hit, or its contact is something else.
 [[nodiscard]] std::optional<bool> in_surface_is_hit(const Case& one, const Answer& got, const Answer& exact);
+/// A hit that first touches in one manner is called another one.
+template <Contact from, Contact to>
+[[nodiscard]] Answers called(const Case& /*one*/, const Answer& exact) {
+  const auto* answer = std::get_if<RayAnswer>(&exact);
+  if (answer == nullptr || answer->hits.count == 0 || answer->contact != from) return {};
+  RayAnswer other = *answer;
+  other.contact = to;
+  return {other};
+}
+/// A hit of a triangle is called edge where a barycentric coordinate is below a limit, and vertex where two
+/// are.
+[[nodiscard]] Answers called_by_weights(const Case& one, const Answer& exact, double limit);
+template <int power>
+[[nodiscard]] Answers called_by_weights(const Case& one, const Answer& exact) {
+  return called_by_weights(one, exact, std::pow(10.0, power));
+}
 /// A ray that runs inside a plane is called parallel.
 [[nodiscard]] Answers in_surface_is_parallel(const Case& one, const Answer& exact);
 /// Rays inside the plane are called parallel, and those parallel to it are said to be inside.

@@ -85,6 +85,19 @@ bool has_hit_before_t_min(const Case& one, const Answer& exact) {
   return std::ranges::any_of(t_min_as_t_max(one, exact), finds_something);
 }
 
+Answers t_squared_to_t_max(const Case& one, const Answer& /*exact*/) {
+  const auto* ray = ray_of(one);
+  if (ray == nullptr) return {};
+  const RayAnswer line = hits_of_line(one);
+  Answers answers;
+  for (const double square_of_unit : {1.0, glm::dot(ray->direction, ray->direction)})
+    for (const double most : {infinity<double>, ray->t_max})
+      answers.emplace_back(hits_where(line, [&](double t) {
+        return ray->t_min <= t && t <= most && t * t * square_of_unit <= ray->t_max;
+      }));
+  return answers;
+}
+
 Answers zero_as_no_end(const Case& one, const Answer& /*exact*/) {
   const auto* ray = ray_of(one);
   if (ray == nullptr || ray->t_max != 0) return {};

@@ -32,6 +32,7 @@ namespace rayproof::diagnosis {
 /// t is counted from t_min.
 [[nodiscard]] Answers t_from_t_min(const Case& one, const Answer& exact);
 /// Of an interval that ends at 0 the end is not looked at.
+[[nodiscard]] Answers t_squared_to_t_max(const Case& one, const Answer& exact);
 [[nodiscard]] Answers zero_as_no_end(const Case& one, const Answer& exact);
 
 /// The exact hits without those that are dropped; nothing where none is.

@@ -7,11 +7,6 @@
 namespace rayproof::diagnosis {
 namespace {
 
-bool is_inside_first(std::size_t count, const glm::dvec2& point, Outline outline) {
-  outline.resize(std::min(count, outline.size()));
-  return crossings(point, outline, outline.size(), half_open) % 2 == 1;
-}
-
 /// Even and odd crossings where x is compared with `x_of(side)`.
 bool is_inside_by(const glm::dvec2& point, const Outline& outline,
                   double (*x_of)(const glm::dvec2& from, const glm::dvec2& to)) {
@@ -62,10 +57,6 @@ bool is_inside(InsideRule rule, const glm::dvec2& point, const Outline& outline)
       return crossings(point, outline, all - 1, half_open) % 2 == 1;
     case InsideRule::first_triangle:
       return is_on_one_side(point, {outline[0], outline[1], outline[2]});
-    case InsideRule::first_four:
-      return is_inside_first(4, point, outline);
-    case InsideRule::first_eight:
-      return is_inside_first(8, point, outline);
     case InsideRule::upright_sides: {
       int more = 0;  // those to the left, which even and odd crossings don't count
       for (std::size_t i = 0; i < all; ++i) {

@@ -16,8 +16,6 @@ enum class InsideRule {
   both_ways,        ///< x is not compared: crossings on both sides of the point count, half of them
   last_side,        ///< the side from the last vertex to the first is forgotten
   first_triangle,   ///< only the first three vertices are looked at
-  first_four,       ///< only the first four
-  first_eight,      ///< only the first eight
   upright_sides,    ///< an upright side counts on whichever side of the point it lies
   unrepeated,       ///< a vertex that was there before is left out
   unturned,         ///< an inequality is multiplied by a negative height, and not turned round

@@ -58,4 +58,12 @@ Answers near_sides_boundary(const Case& one, const Answer& exact, double limit) 
   return {};
 }
 
+Answers within_of_boundary(const Case& one, const Answer& exact, double limit) {
+  const auto* position = std::get_if<Position>(&exact);
+  if (position == nullptr || *position == Position::boundary) return {};
+  const auto seen = point_and_outline(one);
+  const bool is_near = !sides_within(limit, seen->point, seen->vertices).empty();
+  return is_near ? Answers{Position::boundary} : Answers{};
+}
+
 }  // namespace rayproof::diagnosis

@@ -31,4 +31,11 @@ template <int power>
   return near_sides_boundary(one, exact, std::pow(10.0, power));
 }
 
+/// A point that is nearer to a side than a limit is said to be on the boundary.
+[[nodiscard]] Answers within_of_boundary(const Case& one, const Answer& exact, double limit);
+template <int power>
+[[nodiscard]] Answers within_of_boundary(const Case& one, const Answer& exact) {
+  return within_of_boundary(one, exact, std::pow(10.0, power));
+}
+
 }  // namespace rayproof::diagnosis

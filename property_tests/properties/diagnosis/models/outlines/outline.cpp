@@ -5,15 +5,6 @@
 #include "properties/diagnosis/models/first_hit/surface_normals.hpp"
 
 namespace rayproof::diagnosis {
-namespace {
-
-PlaneHit upside_down(PlaneHit seen) {
-  seen.point.y = -seen.point.y;
-  for (glm::dvec2& vertex : seen.vertices) vertex.y = -vertex.y;
-  return seen;
-}
-
-}  // namespace
 
 bool is_inside_outline(const PlaneHit& hit) {
   return crossings(hit.point, hit.vertices, hit.vertices.size(), half_open) % 2 == 1;

@@ -9,6 +9,12 @@ Answers place_at(const Case& one, const PlaneHit& seen, bool is_inside) {
   return {is_inside ? Position::inside : Position::outside};
 }
 
+PlaneHit upside_down(PlaneHit seen) {
+  seen.point.y = -seen.point.y;
+  for (glm::dvec2& vertex : seen.vertices) vertex.y = -vertex.y;
+  return seen;
+}
+
 PlaneHit swept(Sweep sweep, PlaneHit hit) {
   const bool is_in_order = sweep == Sweep::along_in_order || sweep == Sweep::against_in_order;
   const bool is_across = sweep == Sweep::upward || sweep == Sweep::downward;

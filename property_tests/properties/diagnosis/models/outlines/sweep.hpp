@@ -14,6 +14,9 @@ enum class Sweep { along, against, along_in_order, against_in_order, upward, dow
 /// The point and the outline turned so that the sweep goes along x.
 [[nodiscard]] PlaneHit swept(Sweep sweep, PlaneHit hit);
 
+/// The same mirrored: a vertex on the point's level that counted as below it counts as above.
+[[nodiscard]] PlaneHit upside_down(PlaneHit seen);
+
 /// What a subject answers that takes the point for inside, or for outside.
 [[nodiscard]] Answers place_at(const Case& one, const PlaneHit& seen, bool is_inside);
 

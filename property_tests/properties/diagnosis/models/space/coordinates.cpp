@@ -133,6 +133,19 @@ Answers with_shape_cut_off(const Case& one, const Answer& exact) {
   return off_boundary_read_as<shape_cut_off>(one, exact);
 }
 
+Answers with_shape_in_float(const Case& one, const Answer& exact) {
+  const Answers answers = off_boundary_read_as<numbers_in_float>(one, exact);
+  const RayQuestion* asked = ray_question(one);
+  if (!answers.empty() || asked == nullptr) return answers;
+  bool is_too_large = false;
+  std::visit(
+      [&](const auto& shape) {
+        each_number(shape, [&](double x) { is_too_large |= !std::isfinite(static_cast<float>(x)); });
+      },
+      asked->shape);
+  return is_too_large ? Answers{RayAnswer{}, exact} : Answers{};
+}
+
 std::vector<Case> without_origin(const Case& one) {
   return with_vectors(one, Vectors::origin, [](glm::dvec3& origin) { origin = glm::dvec3(0); });
 }

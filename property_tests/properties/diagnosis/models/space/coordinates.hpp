@@ -123,6 +123,9 @@ template <std::vector<Case> (*changes)(const Case&)>
 /// What a subject answers that reads the shape's numbers, and a point's, as integers. A polygon that has no
 /// area then holds no point.
 [[nodiscard]] Answers with_shape_cut_off(const Case& one, const Answer& exact);
+/// What a subject answers that keeps the shape's numbers, and a point's, as floats. One that is too large for
+/// them is infinite, and mostly nothing is hit then.
+[[nodiscard]] Answers with_shape_in_float(const Case& one, const Answer& exact);
 /// Whether a polygon in the plane keeps some area so; of other shapes always.
 [[nodiscard]] bool has_area_cut_off(const Case& one, const Answer& exact);
 /// That point cut off to whole numbers.
