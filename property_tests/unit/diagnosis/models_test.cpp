@@ -186,6 +186,7 @@ TEST(Diagnosis, NamesWhatIsWronglySaidOfTheFirstHit) {
                                                {"sphere", "point", "point-from-shape"},
                                                {"sphere", "point", "point-at-radius-one"},
                                                {"sphere", "point", "point-at-radius"},
+                                               {"triangle", "coordinates", "weights-decimals-2"},
                                                {"box", "normal", "normal-of-other-hit"},
                                                {"sphere", "point", "point-without-translation"},
                                                {"box", "point", "point-at-direction"},

@@ -8,6 +8,7 @@
 #include "properties/claims/answers.hpp"
 #include "properties/diagnosis/models/curved/near_sphere.hpp"
 #include "properties/diagnosis/models/curved/quadratic.hpp"
+#include "properties/diagnosis/models/first_hit/points.hpp"
 #include "properties/diagnosis/models/hits/digits.hpp"
 #include "properties/diagnosis/models/hits/factor.hpp"
 #include "properties/diagnosis/models/hits/interval.hpp"
@@ -83,6 +84,18 @@ Hypothesis few_decimals() {
 template <int... decimals>
 void add_decimals(std::vector<Hypothesis>& all) {
   (all.push_back(few_decimals<decimals>()), ...);
+}
+
+/// Few decimals of barycentric coordinates.
+template <int... decimals>
+void add_decimals_of_weights(std::vector<Hypothesis>& all) {
+  (all.push_back(gives(
+       kept(fmt::format("weights-decimals-{}", decimals)), weights_to_decimals<decimals>,
+       kept(fmt::format("the barycentric coordinates are rounded to multiples of 1e-{}: the code prints too "
+                        "few decimals, or rounds",
+                        decimals)),
+       gross, Aspect::coordinates)),
+   ...);
 }
 
 /// A point that is off shows it, too.
@@ -252,6 +265,7 @@ std::vector<Hypothesis> models_of_digits() {
   };
   add_stops<-6, -5, -4, -3, -2, -1>(all);
   all.push_back(approximated_throughout());
+  add_decimals_of_weights<1, 2, 3, 4>(all);
   return all;
 }
 

@@ -2,6 +2,7 @@
 /// Faults in how the numbers of a case are read.
 
 #include "properties/diagnosis/models/space/coordinates.hpp"
+#include "properties/diagnosis/models/space/details_of_shapes.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {
@@ -151,6 +152,9 @@ std::vector<Hypothesis> models_of_readings() {
       gives_to_most(
           "shape-in-half", off_boundary_read_as<numbers_in_half>,
           "the answer is right for the shape's numbers rounded to 11 bits: they are kept as half floats"),
+      gives_to_all(
+          "whole-sizes", read_as<whole_sizes>,
+          "the answer is right for radii, and a height, cut off to whole numbers: they are read as integers"),
       gives_to_all("whole-origin", read_as<truncated<origin>>,
                    "the answer is right for the origin cut off to whole numbers: it is read as integers"),
       gives_to_all("whole-direction", read_as<truncated<direction>>,

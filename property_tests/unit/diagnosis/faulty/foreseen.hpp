@@ -17,6 +17,7 @@ inline constexpr Foreseen foreseen_faults[] = {
     {"sphere", "zero-as-no-end"},
     {"sphere", "smallest-hit"},
     {"sphere", "farther-of-both"},
+    {"sphere", "whole-sizes"},
     {"cylinder", "end-tested-one-way"},
     {"cylinder", "zero-size-as-one"},
     {"sphere", "absolute-t-min"},

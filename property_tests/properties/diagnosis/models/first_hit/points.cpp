@@ -75,6 +75,14 @@ Answers point_at_radius_one(const Case& one, const Answer& exact) {
   return with_point(exact, glm::dvec3(asked.transform.value_or(glm::dmat4(1)) * place));
 }
 
+Answers weights_on_grid(const Answer& exact, double cells) {
+  const auto* answer = std::get_if<RayAnswer>(&exact);
+  if (answer == nullptr || !answer->barycentric) return {};
+  RayAnswer other = *answer;
+  other.barycentric = glm::round(*answer->barycentric * cells) / cells;
+  return {other};
+}
+
 Answers point_at_radius(const Case& one, const Answer& exact) {
   const auto* sphere = hit_with_point(exact) == nullptr ? nullptr : shape_in<Sphere<double>>(one);
   return sphere == nullptr ? Answers{} : with_point(exact, point_at(ray_question(one)->ray, sphere->radius));

@@ -2,6 +2,8 @@
 /// \file
 /// Models of faults in the point of the first hit.
 
+#include <cmath>
+
 #include "properties/diagnosis/models/models.hpp"
 
 namespace rayproof::diagnosis {
@@ -25,6 +27,12 @@ namespace rayproof::diagnosis {
                                                            const Answer& exact);
 /// The point is taken back to the world without the matrix's translation.
 [[nodiscard]] Answers point_without_translation(const Case& one, const Answer& exact);
+/// A triangle's barycentric coordinates are rounded to multiples of 10^-decimals.
+[[nodiscard]] Answers weights_on_grid(const Answer& exact, double cells);
+template <int decimals>
+[[nodiscard]] Answers weights_to_decimals(const Case& /*one*/, const Answer& exact) {
+  return weights_on_grid(exact, std::pow(10.0, decimals));
+}
 /// o + r·d of a sphere, and o + d.
 [[nodiscard]] Answers point_at_radius(const Case& one, const Answer& exact);
 [[nodiscard]] Answers point_at_direction(const Case& one, const Answer& exact);

@@ -8,6 +8,17 @@
 #include "properties/diagnosis/models/first_hit/surface_normals.hpp"
 
 namespace rayproof::diagnosis {
+namespace {
+
+/// The radii and the height of a sphere or a cylinder.
+std::vector<double*> sizes_in(RayQuestion& asked) {
+  if (auto* sphere = std::get_if<Sphere<double>>(&asked.shape)) return {&sphere->radius};
+  if (auto* cylinder = std::get_if<Cylinder<double>>(&asked.shape))
+    return {&cylinder->rx, &cylinder->ry, &cylinder->height};
+  return {};
+}
+
+}  // namespace
 Answers normal_along_edge(const Case& one, const Answer& exact) {
   const auto* solid = shape_in<Parallelepiped<double>>(one);
   if (solid == nullptr) return {};
@@ -53,12 +64,17 @@ Answers point_by_other_weights(const Case& one, const Answer& exact) {
   return answers;
 }
 
+std::vector<Case> whole_sizes(const Case& one) {
+  return with_question(one, [](RayQuestion& asked) {
+    const std::vector<double*> sizes = sizes_in(asked);
+    for (double* size : sizes) *size = std::trunc(*size);
+    return !sizes.empty();
+  });
+}
+
 std::vector<Case> zero_size_as_one(const Case& one) {
   return with_question(one, [](RayQuestion& asked) {
-    std::vector<double*> sizes;
-    if (auto* sphere = std::get_if<Sphere<double>>(&asked.shape)) sizes = {&sphere->radius};
-    if (auto* cylinder = std::get_if<Cylinder<double>>(&asked.shape))
-      sizes = {&cylinder->rx, &cylinder->ry, &cylinder->height};
+    std::vector<double*> sizes = sizes_in(asked);
     std::erase_if(sizes, [](const double* size) { return *size != 0; });
     for (double* size : sizes) *size = 1;
     return !sizes.empty();

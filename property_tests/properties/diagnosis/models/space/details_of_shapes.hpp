@@ -17,6 +17,8 @@ template <int first, int second>
 /// A triangle's point is put together by its barycentric coordinates in another order.
 [[nodiscard]] Answers point_by_other_weights(const Case& one, const Answer& exact);
 
+/// Radii and the height are cut off to whole numbers.
+[[nodiscard]] std::vector<Case> whole_sizes(const Case& one);
 /// A radius, or a height, of 0 is read as 1.
 [[nodiscard]] std::vector<Case> zero_size_as_one(const Case& one);
 
