@@ -121,6 +121,17 @@ Evidence show_batch(Trial& trial) {
                      "got is the batch's answer; one ray at a time the method answers otherwise");
 }
 
+/// Whether a triangle's area may be rounded to 0: so much of the product of two edges cancels.
+bool is_nearly_flat(const Case& one) {
+  constexpr double few = 16;
+  const auto* asked = std::get_if<RayQuestion>(&one.question);
+  const auto* triangle = asked == nullptr ? nullptr : std::get_if<Triangle<double>>(&asked->shape);
+  if (triangle == nullptr) return false;
+  const glm::dvec3 e1 = triangle->b - triangle->a, e2 = triangle->c - triangle->a;
+  return glm::length(glm::cross(e1, e2)) <=
+         few * roundoff_of(one.precision) * glm::length(e1) * glm::length(e2);
+}
+
 /// Of misses alone: where a hit is claimed or missed, that is the verdict's property. What a guest rounds may
 /// turn a ray along the plane by an ulp: its reasons are judged where a plain method rounds nothing.
 Ruling contact(Trial& trial) {
@@ -130,7 +141,9 @@ Ruling contact(Trial& trial) {
   const Answer exact = oracle::answer(trial.question());
   if (claimed->contact == std::get<RayAnswer>(exact).contact) return Ruling::held;
   const bool may_round = !trial.subject().has_own_contract && !is_exact_for_some_method(trial.question());
-  return may_round ? Ruling::outside : Ruling::broken;
+  const bool may_be_none = !trial.subject().has_own_contract && claimed->contact == Contact::degenerate &&
+                           is_nearly_flat(trial.question());
+  return may_round || may_be_none ? Ruling::outside : Ruling::broken;
 }
 
 }  // namespace

@@ -49,5 +49,27 @@ TEST(HitsInsideTheInterval, AreNeverBeyondItByAMethodOfOurs) {
   EXPECT_EQ(ruling_of(double_until_99, std::nextafter(99.0, 100.0), true), Ruling::broken);
 }
 
+/// What is said of a guest that calls the triangle [0, 0, 0], [1, 1, 0], [2, 2, z] one without area.
+Ruling ruling_of_no_area(double z) {
+  Subject guest;
+  guest.topic = "triangle";
+  guest.contract = default_contract("triangle");
+  guest.has_own_contract = false;
+  const Case one{.question = RayQuestion{.ray = {{0, 0, 1}, {1, 0, 0}, 0, infinity<double>},
+                                         .shape = Triangle<double>{{0, 0, 0}, {1, 1, 0}, {2, 2, z}}}};
+  RayAnswer given;
+  given.contact = Contact::degenerate;
+  given.says_contact = true;
+  Trial trial(guest, one);
+  trial.recall(given, judged(one, given));
+  return find_property("contact")->rule(trial);
+}
+
+TEST(ReasonsOfMisses, AreNoAreaWhereThatIsRoundedTo0) {
+  EXPECT_EQ(ruling_of_no_area(0), Ruling::held);
+  EXPECT_EQ(ruling_of_no_area(0x1p-51), Ruling::outside);
+  EXPECT_EQ(ruling_of_no_area(0.25), Ruling::broken);
+}
+
 }  // namespace
 }  // namespace rayproof
