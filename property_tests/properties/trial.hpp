@@ -69,6 +69,8 @@ class Trial {
   /// With what is known of answers to the case, if anything; the judgement is added to it.
   Trial(const Subject& subject, const Case& one, oracle::JudgedAnswers* known_judgements = nullptr)
       : subject_(&subject), case_(&one), known_judgements_(known_judgements) {}
+  /// The case must outlive the trial.
+  Trial(const Subject& subject, Case&& one, oracle::JudgedAnswers* known_judgements = nullptr) = delete;
 
   [[nodiscard]] const Subject& subject() const { return *subject_; }
   [[nodiscard]] const Case& question() const { return *case_; }

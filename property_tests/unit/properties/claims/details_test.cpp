@@ -80,7 +80,8 @@ Case walked_round(int times, std::uint64_t seed) {
 TEST(DetailsProperties, TheNormalOfAPolygonThatWindsManyTimesKeepsItsBound) {
   int held = 0;
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
-    Trial trial(*find_subject("polygon/winding"), walked_round(301, seed));
+    const Case one = walked_round(301, seed);
+    Trial trial(*find_subject("polygon/winding"), one);
     const Ruling ruling = find_property("normal")->rule(trial);
     EXPECT_NE(ruling, Ruling::broken) << seed;
     held += ruling == Ruling::held ? 1 : 0;
