@@ -96,6 +96,7 @@ vtkNew<vtkPolygon> cell;
 double corners[][3] = {$vertices};
 for (auto& p : corners) cell->GetPointIds()->InsertNextId(cell->GetPoints()->InsertNextPoint(p));)",
                    given("vertices", vertices));
+  repeat_random_numbers();
   return meet(std::move(call), *cell, vertices, ray, tolerance);
 }
 

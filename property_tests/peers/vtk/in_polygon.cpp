@@ -1,17 +1,9 @@
-#include <vtkMath.h>
 #include <vtkPolygon.h>
 
 #include "peers/simple_polygon.hpp"
 #include "peers/vtk/routines.hpp"
 
 namespace rayproof::peers::vtk {
-namespace {
-
-/// vtkPolygon fires random rays within the polygon's plane: the same for each case, so that an answer does
-/// not depend on those before. A new program has this very seed.
-void repeat_random_numbers() { vtkMath::RandomSeed(1177); }
-
-}  // namespace
 
 bool is_in_polygon(const PointAndPolygon<double>& asked) {
   if (!is_simple(asked.vertices)) throw Unsupported();
@@ -24,8 +16,7 @@ bool is_in_polygon(const PointAndPolygon<double>& asked) {
     bounds[2] = std::min(bounds[2], y), bounds[3] = std::max(bounds[3], y);
   }
   double point[3] = {asked.point.x, asked.point.y, 0}, normal[3] = {0, 0, 1};
-  LibraryCall call("vtkPolygon::PointInPolygon", R"(#include <vtkMath.h>
-#include <vtkPolygon.h>
+  LibraryCall call("vtkPolygon::PointInPolygon", R"(#include <vtkPolygon.h>
 double corners[][3] = {$vertices}, point[] = {$point, 0}, normal[] = {0, 0, 1};
 double bounds[] = {$x0, $x1, $y0, $y1, 0, 0};
 const int count = sizeof corners / sizeof *corners;

@@ -3,6 +3,8 @@
 /// VTK's routines as functions of a ray, or a point, and a shape. Each throws Unsupported where VTK's
 /// documentation excludes the case.
 
+#include <vtkMath.h>
+
 #include "peers/reproduction.hpp"
 
 namespace rayproof::peers::vtk {
@@ -27,6 +29,10 @@ bool is_in_polygon(const PointAndPolygon<double>& asked);
 Hit in_tree(const Ray<double>& ray, glm::dvec3 a, glm::dvec3 b, glm::dvec3 c);
 Hit in_locator(const Ray<double>& ray, glm::dvec3 a, glm::dvec3 b, glm::dvec3 c);
 /// @}
+
+/// vtkPolygon fires random rays within the polygon's plane: the same for each case, so that an answer does
+/// not depend on those before. A new program has this very seed.
+inline void repeat_random_numbers() { vtkMath::RandomSeed(1177); }
 
 /// Rays in the plane of the triangle, or so near to it that rounding decides, mean another thing to VTK.
 inline void refuse_coplanar(const Ray<double>& ray, glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
