@@ -69,8 +69,10 @@ std::vector<Hypothesis> models_of_solids() {
             "near and far of a slab are exchanged by the sign of the origin's coordinate, and must be by "
             "that of "
             "the direction's"),
-      gives("slab-along-mirrored", slab_along_mirrored,
-            "of a slab that the ray runs along the origin is compared with the wrong sign"),
+      // That such rays are missed alone is another fault.
+      shown_by(is_hit_along_mirrored,
+               gives("slab-along-mirrored", slab_along_mirrored,
+                     "of a slab that the ray runs along the origin is compared with the wrong sign")),
       gives_one_of("missed-from-beyond", missed_from_beyond,
                    "a ray from beyond a face is missed, whatever its direction: an early test looks at the "
                    "origin alone"),
