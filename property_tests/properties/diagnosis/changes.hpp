@@ -87,6 +87,12 @@ template <class Keep>
 /// A point of the shape; nothing for one that the format has in one place only.
 [[nodiscard]] std::optional<glm::dvec3> some_point(const Shape& shape);
 
+/// The mean of points.
+[[nodiscard]] glm::dvec3 mean_of(const std::vector<glm::dvec3>& points);
+/// A point about which the shape lies, in object space, of a flat figure the mean of its vertices; nothing
+/// for what has no end.
+[[nodiscard]] std::optional<glm::dvec3> middle_of(const Shape& shape);
+
 /// The size of the largest number that gives a length of the scene: origin and shape.
 [[nodiscard]] inline double size_of_scene(Case one) {
   double size = 0;

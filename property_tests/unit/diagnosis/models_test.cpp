@@ -7,6 +7,7 @@
 #include "unit/diagnosis/clinic.hpp"
 #include "unit/diagnosis/faulty/faulty.hpp"
 #include "unit/diagnosis/faulty/foreseen_flat.hpp"
+#include "unit/diagnosis/faulty/foreseen_solids.hpp"
 
 namespace rayproof::faulty {
 namespace {
@@ -163,6 +164,8 @@ std::string name_of_model(const testing::TestParamInfo<Foreseen>& info) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Diagnosis, Model, testing::ValuesIn(foreseen_faults), name_of_model);
+INSTANTIATE_TEST_SUITE_P(DiagnosisOfSolids, Model, testing::ValuesIn(foreseen_faults_of_solids),
+                         name_of_model);
 INSTANTIATE_TEST_SUITE_P(DiagnosisOfFlat, Model, testing::ValuesIn(foreseen_faults_of_flat), name_of_model);
 
 /// The model whose fault the subject has.

@@ -27,7 +27,31 @@ void start_at(Ray<double>& ray, double t) {
   ray.t_max -= t;
 }
 
+struct MiddleOf {
+  using Middle = std::optional<glm::dvec3>;
+  template <class S>
+  Middle operator()(const S& /*a plane*/) const {
+    return std::nullopt;
+  }
+  Middle operator()(const Triangle<double>& t) const { return mean_of({t.a, t.b, t.c}); }
+  Middle operator()(const Polygon<double>& polygon) const { return mean_of(polygon.vertices); }
+  Middle operator()(const Sphere<double>& sphere) const { return sphere.center; }
+  Middle operator()(const Box<double>& box) const { return mean_of({box.min, box.max}); }
+  Middle operator()(const Parallelepiped<double>& solid) const {
+    return solid.corner + 0.5 * (solid.edges[0] + solid.edges[1] + solid.edges[2]);
+  }
+  Middle operator()(const Cylinder<double>& cylinder) const { return glm::dvec3(0, 0, cylinder.height / 2); }
+};
+
 }  // namespace
+
+glm::dvec3 mean_of(const std::vector<glm::dvec3>& points) {
+  glm::dvec3 sum(0);
+  for (const glm::dvec3& point : points) sum += point;
+  return sum / static_cast<double>(points.size());
+}
+
+std::optional<glm::dvec3> middle_of(const Shape& shape) { return std::visit(MiddleOf{}, shape); }
 
 std::optional<glm::dvec3> some_point(const Shape& shape) {
   std::optional<glm::dvec3> found;

@@ -117,8 +117,7 @@ Answers normal_about_mean(const Case& one, const Answer& exact) {
   const auto* answer = std::get_if<RayAnswer>(&exact);
   if (polygon == nullptr || answer == nullptr || !answer->normal) return {};
   const auto& v = polygon->vertices;
-  glm::dvec3 mean(0);
-  for (const glm::dvec3& vertex : v) mean += vertex / static_cast<double>(v.size());
+  const glm::dvec3 mean = mean_of(v);
   Answers answers;
   for (const std::size_t i : {std::size_t{0}, v.size() - 1, std::size_t{1}}) {
     const glm::dvec3 normal = glm::cross(v[i] - mean, v[(i + 1) % v.size()] - mean);

@@ -41,8 +41,7 @@ Answers polygon_beyond_small_sphere(const Case& one, const Answer& exact) {
   const Ray<double> ray = ray_in_object(*ray_question(one));
   const glm::dvec3 hit = point_at(ray, std::get<RayAnswer>(exact).hits.t[0]);
   const auto& v = polygon->vertices;
-  glm::dvec3 mean(0);
-  for (const glm::dvec3& vertex : v) mean += vertex / static_cast<double>(v.size());
+  const glm::dvec3 mean = mean_of(v);
   std::vector<double> from_mean;
   for (const glm::dvec3& vertex : v) from_mean.push_back(glm::distance(vertex, mean));
   const double sum = std::accumulate(from_mean.begin(), from_mean.end(), 0.0);

@@ -95,9 +95,7 @@ std::optional<PlaneHit> hit_through_mean(const Case& one) {
   const auto figure = shape_in<Polygon<double>>(one) == nullptr ? std::nullopt : flat_figure(one);
   auto hit = figure ? plane_hit(one, *figure) : std::nullopt;
   if (!hit) return hit;
-  glm::dvec3 sum(0);
-  for (const glm::dvec3& vertex : figure->vertices) sum += vertex;
-  const glm::dvec3 mean = sum / static_cast<double>(figure->vertices.size());
+  const glm::dvec3 mean = mean_of(figure->vertices);
   const Ray<double> ray = ray_in_object(*ray_question(one));
   hit->t = glm::dot(figure->normal, mean - ray.origin) / glm::dot(figure->normal, ray.direction);
   hit->point = projected(point_at(ray, hit->t), hit->axis);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "properties/claims/answers.hpp"
 #include "properties/diagnosis/models/plane_hit.hpp"
@@ -18,34 +17,13 @@ Answers missed_from(const Case& one, const Answer& exact, double side) {
   return side * above > 0 ? Answers{RayAnswer{}} : Answers{};
 }
 
-/// Of spheres another model speaks.
-struct MiddleOf {
-  template <class Shape>
-  std::optional<glm::dvec3> operator()(const Shape& /*has none*/) const {
-    return std::nullopt;
-  }
-  std::optional<glm::dvec3> operator()(const Triangle<double>& shape) const {
-    return (shape.a + shape.b + shape.c) / 3.0;
-  }
-  std::optional<glm::dvec3> operator()(const Polygon<double>& shape) const {
-    glm::dvec3 sum(0);
-    for (const glm::dvec3& vertex : shape.vertices) sum += vertex;
-    return sum / static_cast<double>(shape.vertices.size());
-  }
-  std::optional<glm::dvec3> operator()(const Box<double>& shape) const {
-    return (shape.min + shape.max) / 2.0;
-  }
-  std::optional<glm::dvec3> operator()(const Parallelepiped<double>& shape) const {
-    return shape.corner + (shape.edges[0] + shape.edges[1] + shape.edges[2]) / 2.0;
-  }
-};
-
 }  // namespace
 
 Answers missed_with_middle_behind(const Case& one, const Answer& exact) {
   const RayQuestion* asked = ray_question(one);
-  if (asked == nullptr || !finds_something(exact)) return {};
-  const auto middle = std::visit(MiddleOf{}, asked->shape);
+  // Of spheres another model speaks.
+  if (asked == nullptr || !finds_something(exact) || shape_in<Sphere<double>>(one) != nullptr) return {};
+  const auto middle = middle_of(asked->shape);
   const Ray<double> ray = ray_in_object(*asked);
   const bool is_behind = middle && glm::dot(*middle - ray.origin, ray.direction) < 0;
   return is_behind ? Answers{RayAnswer{}} : Answers{};
