@@ -115,4 +115,19 @@ using Sheet = ParametricPlane;
   return scene;
 }
 
+/// A scene whose shape is given by points, moved by 1e2 to 1e4, so that its numbers lose digits.
+[[nodiscard]] inline Scene displaced(Random& random, Scene scene) {
+  const glm::dvec3 by = std::pow(10, random.uniform(2, 4)) * draw::unit_vector(random);
+  scene.origin += by;
+  const auto move = [&by](const char* /*name*/, auto& value) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, glm::dvec3>) value += by;
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::vector<glm::dvec3>>)
+      for (glm::dvec3& place : value) place += by;
+  };
+  std::visit([&move]<class S>(S& shape) { ShapeFormat<S>::fields(shape, move); }, scene.shape);
+  return scene;
+}
+inline constexpr const char* displaced_description =
+    "1e2 to 1e4 from the origin of coordinates: the ray passes near the boundary";
+
 }  // namespace rayproof

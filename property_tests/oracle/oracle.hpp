@@ -54,6 +54,9 @@ struct Details {
   std::optional<double> coordinates{};
   /// The same where the error of a coordinate beyond 1 counts in parts of it: what rounding leaves.
   std::optional<double> rounded_coordinates{};
+  /// Whether those that a method computes, a triangle's β and γ or a plane's α and β, are the exact ones
+  /// rounded once; α = 1 - β - γ of a triangle may be rounded again.
+  bool coordinates_are_rounded = true;
   double condition = 1;              ///< of the coordinates: what plain methods may be off by
   std::optional<Contact> contact{};  ///< how the exact first hit touches
 };

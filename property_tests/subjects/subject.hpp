@@ -20,8 +20,9 @@ namespace rayproof {
 
 /// The names of the claims in listings and on command lines, in the order of `Claim`.
 inline constexpr std::array<std::string_view, claim_count> claim_names{
-    "verdict", "residual", "ulp",     "rounded", "robust", "ascending", "moved",       "scaled", "reversed",
-    "batch",   "nan",      "bounded", "contact", "point",  "normal",    "coordinates", "exact",  "answers"};
+    "verdict", "residual",    "ulp",   "rounded",      "robust",  "ascending", "moved",
+    "scaled",  "reversed",    "batch", "nan",          "bounded", "contact",   "point",
+    "normal",  "coordinates", "exact", "conservative", "answers"};
 
 [[nodiscard]] constexpr std::string_view claim_name(Claim claim) {
   return claim_names.at(static_cast<std::size_t>(claim));

@@ -60,6 +60,15 @@ ErrorOfCoordinates error_of_coordinates(const std::array<Quotient, count>& exact
   return most;
 }
 
+/// Whether the last two coordinates, which are those that a method computes, are the exact ones rounded once.
+template <std::size_t count, class Claimed>
+bool are_rounded(const std::array<Quotient, count>& exact, const Claimed& claimed, Precision precision) {
+  const auto is_rounded = [&](std::size_t i) {
+    return round_correctly(exact.at(i), precision) == claimed[static_cast<int>(i)];
+  };
+  return is_rounded(count - 2) && is_rounded(count - 1);
+}
+
 /// The judgement of one answer.
 class DetailsJudge {
  public:
@@ -100,9 +109,13 @@ class DetailsJudge {
     const auto& weights = claimed_.barycentric;
     ErrorOfCoordinates error{endless(), endless()};
     if (const auto exact = exact_.barycentric()) {
-      if (weights) error = error_of_coordinates(*exact, *weights);
+      if (weights) {
+        error = error_of_coordinates(*exact, *weights);
+        details.coordinates_are_rounded = are_rounded(*exact, *weights, precision_);
+      }
     } else if (const auto parameters = exact_.parameters(); claimed_.parameters && parameters) {
       error = error_of_coordinates(*parameters, *claimed_.parameters);
+      details.coordinates_are_rounded = are_rounded(*parameters, *claimed_.parameters, precision_);
     } else {
       return;
     }

@@ -52,6 +52,11 @@ std::optional<ErrorOfHit> of_normal(Trial& trial) {
   return measured(trial.details().normal, allowed * trial.subject().contract.hit.normal.promised);
 }
 std::optional<ErrorOfHit> of_coordinates(Trial& trial) {
+  const Subject& subject = trial.subject();
+  const bool promises_rounding = subject.contract.holds.contains(Claim::rounded) &&
+                                 (!is_transformed(trial.question()) || subject.takes_transforms);
+  if (promises_rounding && trial.details().coordinates && !trial.details().coordinates_are_rounded)
+    return ErrorOfHit{HUGE_VAL, subject.contract.hit.coordinates.promised};
   return measured(trial.error_of_coordinates(), trial.subject().contract.hit.coordinates.promised);
 }
 
@@ -185,8 +190,9 @@ std::vector<Property> details_properties() {
        "the normal of the first hit is the surface's, of unit length, on the right side", details_every,
        is_within<of_normal, &RayAnswer::normal>, show_normal, excess_of<of_normal>},
       {Claim::coordinates, "coordinates",
-       "the barycentric coordinates of a hit are the exact ones to their bound", details_every,
-       is_within<of_coordinates, &RayAnswer::barycentric>, show_coordinates, excess_of<of_coordinates>},
+       "the barycentric coordinates of a hit are the exact ones to their bound, or rounded once where t is",
+       details_every, is_within<of_coordinates, &RayAnswer::barycentric>, show_coordinates,
+       excess_of<of_coordinates>},
   };
 }
 

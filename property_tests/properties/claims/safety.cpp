@@ -110,6 +110,16 @@ Evidence show_nan(Trial& trial) {
   return evidence;
 }
 
+/// Asked of the whole line: where the interval ends is no matter of the shape.
+Answer on_line(Trial& trial) { return trial.subject().answer(on_whole_line(trial.question())); }
+
+Ruling conservative(Trial& trial) {
+  const bool sees_case = !is_transformed(trial.question()) || trial.subject().takes_transforms;
+  if (!sees_case || !trial.in_domain() || !finds_something(oracle::answer(on_whole_line(trial.question()))))
+    return Ruling::outside;
+  return finds_something(on_line(trial)) ? Ruling::held : Ruling::broken;
+}
+
 Ruling batch(Trial& trial) {
   if (trial.subject().answer_in_batch == nullptr) return Ruling::outside;
   const Answer answer = trial.subject().answer_in_batch(trial.question());
@@ -161,6 +171,11 @@ std::vector<Property> safety_properties() {
          return show_answer(trial, gives_one_twice(trial)
                                        ? "one hit is given twice, and the other is not"
                                        : "a hit is out of order, outside the interval, or NaN");
+       }},
+      {Claim::conservative, "conservative", "a line that meets the shape is never said to miss it", 1,
+       conservative,
+       [](Trial& trial) {
+         return show_answer(on_whole_line(trial.question()), on_line(trial), "the line meets the shape");
        }},
       {Claim::batch, "batch", "a batch gives bit for bit the scalar answers", 4, batch, show_batch},
       {Claim::nan, "nan", "a NaN anywhere in the input never gives a hit", 128, nan, show_nan},

@@ -73,6 +73,7 @@ std::array<std::string_view, 3> head_of(Claim claim) {
                                                                                    {"", "nor-", "mal"},
                                                                                    {"co-", "ordi-", "nates"},
                                                                                    {"", "ex-", "act"},
+                                                                                   {"con-", "serv-", "ative"},
                                                                                    {"an-", "swe-", "rs"}}};
   return heads.at(static_cast<std::size_t>(claim));
 }

@@ -23,7 +23,8 @@ struct Padded {
       .ulp = {.measured = 5.9, .promised = 7},
       .hit = {.normal = box_hit_bounds.normal},  // a touch of the padded box is a crossing
       .domain = {.reach_float = 48, .reach_double = 480, .every_number = true},
-      .holds = always_claimed | Claims{Claim::normal} | Claims{Claim::ulp, Claim::scaled},
+      .holds =
+          always_claimed | Claims{Claim::normal} | Claims{Claim::ulp, Claim::scaled, Claim::conservative},
       .refuted = {
           {{Claim::verdict, "conservative is not exact: a ray that passes an edge within two ulps is a hit"},
            {Claim::reversed, "only the far end is moved, and reversing the ray makes it the near one"}}}};

@@ -14,7 +14,7 @@ enum class Claim : unsigned {
   verdict,    ///< hit or miss (or the kind of roots) is the exact one, outside the promised band
   residual,   ///< every answer satisfies the equation to the promised residual
   ulp,        ///< every answer is within the promised ulps of the exact one
-  rounded,    ///< the verdict is the exact one, and every t is the exact t rounded once, ties to even
+  rounded,    ///< the verdict is the exact one, and every t, u and v the exact one rounded once, ties to even
   robust,     ///< verdict and residual keep the bound that the best plain methods of the shape keep
   ascending,  ///< hits come in ascending order, inside the interval, each once, none NaN
   moved,      ///< t is the same after moving object and ray together by an affine map
@@ -26,12 +26,13 @@ enum class Claim : unsigned {
   contact,    ///< why a ray misses is given rightly: parallel to the surface, inside it, or neither
   point,      ///< the first hit's point is on ray and surface to the promised bounds, and touches as is said
   normal,     ///< the normal of the first hit is the surface's there to the promised bound, its side included
-  coordinates,  ///< a triangle's barycentric coordinates, a plane's parameters, are exact to the promised
-                ///< bound
-  exact,        ///< where no step is rounded, everything is exactly right, boundaries included
+  coordinates,   ///< a triangle's barycentric coordinates, a plane's parameters, are exact to the promised
+                 ///< bound
+  exact,         ///< where no step is rounded, everything is exactly right, boundaries included
+  conservative,  ///< a line that meets the shape is never said to miss it
   answers  ///< every valid case gets an answer in time; asked of programs, since a function always answers
 };
-inline constexpr std::size_t claim_count = 18;
+inline constexpr std::size_t claim_count = 19;
 
 /// A set of claims.
 class Claims {

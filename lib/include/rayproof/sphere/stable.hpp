@@ -8,9 +8,10 @@ namespace rayproof::sphere {
 /// The textbook's coefficients, but roots that do not cancel: one from the branch where b and √D add up, the
 /// other from Viète's t₀t₁ = c/a.
 ///
-/// Cures the small root of a nearby sphere and cures nothing of the discriminant: the rounding of a, b and c
-/// is the error, so far spheres fail as before. At b = 0 the two roots come from different formulas whichever
-/// way the ray points, so reversing it need not mirror them to the last bit.
+/// No root cancels any more, which mends little of a sphere: c and the discriminant have lost digits before,
+/// by the rounding of a, b and c. The bound is the textbook's, and far spheres fail as there. At b = 0 the
+/// two roots come from different formulas whichever way the ray points, so reversing it need not mirror them
+/// to the last bit.
 struct Stable {
   static constexpr const char* name = "stable";
   static constexpr const char* title = "stable roots on the textbook's coefficients";

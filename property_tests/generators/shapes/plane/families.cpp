@@ -2,6 +2,7 @@
 /// Planes in one of their three forms, and rays aimed at them: from near and far, almost along them, exactly
 /// in them.
 
+#include "generators/hard_to_round.hpp"
 #include "generators/layout.hpp"
 #include "generators/number_by_number.hpp"
 #include "generators/whole.hpp"
@@ -114,6 +115,36 @@ Scene skewed(Random& random) {
   return scene;
 }
 
+/// The plane's two forms with a normal have one of the grid; what else gives them is on it, too.
+Scene hard_to_round(Random& random, Precision precision) {
+  return hard::first_drawn(precision, [&](const hard::Grid& grid) -> std::optional<Scene> {
+    const Sheet sheet = lattice::on_grid(in_a_room(random), grid.shape);
+    const int form = random.between(0, 2);
+    if (form == 0)
+      return hard::to_round(random, grid, sheet, hard::plane_along(grid, sheet.point, sheet.u, sheet.v),
+                            somewhere(random, sheet));
+    const glm::dvec3 normal = lattice::on_grid(normal_of(sheet), grid.shape);
+    const auto n = lattice::whole(normal, grid.shape);
+    if (lattice::primitive(n) != n) return std::nullopt;
+    if (form == 1)
+      return hard::to_round(random, grid, PointNormalPlane{sheet.point, normal},
+                            {n, lattice::dot(n, lattice::whole(sheet.point, grid.shape))},
+                            somewhere(random, sheet));
+    const double d = lattice::on_grid(-dot(normal, sheet.point), grid.shape);
+    const auto height = lattice::whole({-d, 0, 0}, 2 * grid.shape)[0];
+    return hard::to_round(random, grid, ImplicitPlane{normal, d}, {n, height}, somewhere(random, sheet));
+  });
+}
+
+/// Near the plane, and far from the point that gives it, which is the origin of coordinates or near it.
+Scene beside_the_plane(Random& random) {
+  Sheet sheet = in_a_room(random);
+  sheet.point *= random.one_in(2) ? 0 : std::exp2(-random.uniform(6, 18));
+  const glm::dvec3 off = std::exp2(-random.uniform(2, 20)) * draw::unit_vector(random);
+  const glm::dvec3 origin = somewhere(random, sheet) + off;
+  return in_some_form(random, sheet, {origin, any_direction(random)});
+}
+
 /// For the interval: half the time in whole numbers, so that the hit is exactly where the ray was aimed.
 Scene met(Random& random) {
   const bool exactly = random.one_in(2);
@@ -167,6 +198,10 @@ std::vector<Family> plane_families() {
           "skewed",
           "u and v, of ordinary lengths, are 1/128 to 1/4 apart in angle or run against each other so",
           {in_reach, {"hit", 0.95}}),
+      laid_out<beside_the_plane>("beside_the_plane",
+                                 "near the plane and far from the point that gives it, which is 0 or near it",
+                                 {in_reach, {"hit", 0.4}, {"miss", 0.3}}),
+      laid_out<hard_to_round>("hard_to_round", hard::to_round_description, {in_reach, {"hit", 0.3}}),
       cut_short<met>({in_reach, {"hit", 0.49}, {"miss", 0.35}, {"in surface", 0.03}, {"behind", 0.3}}),
       placed<met>({{"in reach", 0.97}, {"hit", 0.25}, {"miss", 0.4}}),
       transformed<everyday, in_plane>(

@@ -2,6 +2,7 @@
 /// \file
 /// Polygons in space: an outline of the plane put into a plane of space, with a ray through the point.
 
+#include "generators/hard_to_round.hpp"
 #include "generators/layout.hpp"
 #include "generators/outline_layouts.hpp"
 #include "generators/whole.hpp"
@@ -99,6 +100,53 @@ template <const outline_layout::Layout& layout>
 [[nodiscard]] inline Scene met(Random& random) {
   return random.one_in(3) ? in_space<outline_layout::boundary>(random)
                           : in_space<outline_layout::everyday>(random);
+}
+
+/// An everyday outline whose vertices are exactly in a plane, on a grid.
+struct OnGrid {
+  Sheet sheet;
+  PolygonCase plan;
+  Polygon<double> polygon;
+
+  OnGrid(Random& random, const hard::Grid& grid)
+      : sheet(lattice::on_grid(any_sheet(random), grid.shape - 3)),
+        plan(outline_layout::everyday.plan(random)) {
+    plan.vertices = lattice::on_grid(plan.vertices, 3);
+    polygon = lifted(sheet, plan.vertices);
+  }
+};
+
+[[nodiscard]] inline Scene hard_to_round(Random& random, Precision precision) {
+  return hard::first_drawn(precision, [&](const hard::Grid& grid) {
+    const OnGrid drawn(random, grid);
+    const Sheet& sheet = drawn.sheet;
+    return hard::to_round(random, grid, drawn.polygon, hard::plane_along(grid, sheet.point, sheet.u, sheet.v),
+                          at(sheet, drawn.plan.point));
+  });
+}
+
+[[nodiscard]] inline Scene hard_to_decide(Random& random, Precision precision) {
+  return hard::first_drawn(precision, [&](const hard::Grid& grid) {
+    const OnGrid drawn(random, grid);
+    const auto& vertices = drawn.polygon.vertices;
+    const auto i = static_cast<std::size_t>(random.between(0, static_cast<int>(vertices.size()) - 1));
+    const glm::dvec3 corner = vertices[i], side = vertices[(i + 1) % vertices.size()] - corner;
+    return hard::to_decide(random, grid, drawn.polygon, corner, side, corner + random.unit() * side);
+  });
+}
+
+/// A polygon of a few units 1e2 to 1e4 from the origin of coordinates, and a ray beside its boundary.
+[[nodiscard]] inline Scene off_origin(Random& random) {
+  return displaced(random, loosened(random, in_space<outline_layout::near_boundary>(random)));
+}
+
+/// Whole vertices anywhere in space: in no plane, so that it counts how the format flattens them.
+[[nodiscard]] inline Scene not_flat(Random& random) {
+  Polygon<double> polygon;
+  const int size = random.between(2, 6);
+  for (int k = random.between(4, 7); k > 0; --k) polygon.vertices.push_back(whole_point(random, size));
+  const glm::dvec3 target = eighth_between(random, polygon.vertices[0], polygon.vertices[2]);
+  return loosened(random, looked_at_exactly(random, polygon, target));
 }
 
 }  // namespace rayproof::polygon_family

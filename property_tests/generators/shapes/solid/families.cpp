@@ -1,8 +1,10 @@
 /// \file
 /// Rays aimed at solids: at faces, edges and corners, along them, from inside and from afar.
 
+#include "generators/hard_to_round.hpp"
 #include "generators/layout.hpp"
 #include "generators/number_by_number.hpp"
+#include "generators/shapes/solid/hard_slabs.hpp"
 #include "generators/shapes/solid/whole.hpp"
 
 namespace rayproof {
@@ -103,6 +105,48 @@ struct SolidLayouts {
     return looked_at_from_afar(random, Kind::shape(frame),
                                at(frame, place(random, random.one_in(2) ? 2 : 0)));
   }
+
+  static Scene off_origin(Random& random, Precision precision) {
+    return displaced(random, near_edges(random, precision));
+  }
+
+  /// The corner is the origin of coordinates or near it, and the ray begins near them.
+  static Scene at_the_corner(Random& random, Precision precision) {
+    Frame frame = random.one_in(3) ? Kind::flat(random, precision) : Kind::in_a_room(random);
+    frame.corner *= random.one_in(3) ? 0 : std::exp2(-random.uniform(6, 18));
+    const glm::dvec3 off = std::exp2(-random.uniform(4, 16)) * draw::unit_vector(random);
+    return {frame.corner + off, any_direction(random), Kind::shape(frame)};
+  }
+
+  static Scene hard_to_round(Random& random, Precision precision) {
+    return hard::first_drawn(precision, [&](const hard::Grid& grid) {
+      const Frame frame = lattice::on_grid(Kind::in_a_room(random), grid.shape);
+      const int across = random.between(0, 2);
+      glm::dvec3 target = draw::vector([&] { return random.unit(); }), end(0);
+      target[across] = end[across] = random.between(0, 1);
+      if constexpr (std::is_same_v<Kind, Boxes>)
+        if (random.one_in(2)) return hard_slabs(random, grid);
+      const auto plane =
+          hard::plane_along(grid, at(frame, end), edge(frame, across + 1), edge(frame, across + 2));
+      return hard::to_round(random, grid, Kind::shape(frame), plane, at(frame, target));
+    });
+  }
+
+  static Scene hard_to_decide(Random& random, Precision precision) {
+    return hard::first_drawn(precision, [&](const hard::Grid& grid) {
+      const Frame frame = lattice::on_grid(Kind::in_a_room(random), grid.shape);
+      const int along = random.between(0, 2);
+      glm::dvec3 corner = draw::vector([&] { return double{1} * random.between(0, 1); });
+      corner[along] = 0;
+      const glm::dvec3 from = at(frame, corner), side = edge(frame, along);
+      return hard::to_decide(random, grid, Kind::shape(frame), from, side, from + random.unit() * side);
+    });
+  }
+
+ private:
+  static glm::dvec3 edge(const Frame& frame, int i) {
+    return frame.edges.at(static_cast<std::size_t>(i % 3));
+  }
 };
 
 /// The families of one kind of solid. Both have the same: what is hard is where two faces meet. `flat_shares`
@@ -136,6 +180,15 @@ std::vector<Family> solid_families(const std::vector<MinimumShare>& flat_shares)
                                {in_reach, {"hit", 0.95}, {"cut", 0.95}, {"from inside", 0.95}}),
       laid_out<Layout::far>("far", "the solid is 1e2 to 1e6 sizes away, half the time aimed near an edge",
                             {in_reach, {"hit", 0.74}, {"miss", 0.1}}),
+      laid_out<Layout::off_origin>("off_origin", displaced_description,
+                                   {in_reach, {"hit", 0.5}, {"miss", 0.2}}),
+      laid_out<Layout::at_the_corner>(
+          "at_the_corner", "the ray begins near a corner that is the origin of coordinates or near it",
+          {in_reach, {"hit", 0.2}, {"miss", 0.2}}),
+      laid_out<Layout::hard_to_round>("hard_to_round", hard::to_round_description,
+                                      {{"in reach", 0.35}, {"hit", 0.5}}),
+      laid_out<Layout::hard_to_decide>("hard_to_decide", hard::to_decide_description,
+                                       {in_reach, {"hit", 0.3}, {"miss", 0.2}}),
       cut_short<Layout::faces>({in_reach,
                                 {"hit", 0.65},
                                 {"miss", 0.18},

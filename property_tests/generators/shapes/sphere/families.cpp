@@ -2,9 +2,10 @@
 /// The families of spheres, and those of unlike sizes laid out: far away, tiny, huge, of any exponent, and an
 /// origin so near the surface that b² >> 4ac.
 
+#include "generators/hard_to_round.hpp"
 #include "generators/layout.hpp"
 #include "generators/number_by_number.hpp"
-#include "generators/shapes/sphere/whole.hpp"
+#include "generators/shapes/sphere/hard.hpp"
 
 namespace rayproof {
 
@@ -100,6 +101,10 @@ std::vector<Family> sphere_families() {
                            {all_in_reach, {"hit", 0.4}, {"from inside", 0.2}}),
       laid_out<interval>("interval", "t_min or t_max at a hit or a few ulps beside it",
                          {all_in_reach, {"hit", 0.4}, {"cut", 0.2}}),
+      laid_out<hard_to_round>("hard_to_round", hard::to_round_description, {in_reach, {"hit", 0.5}}),
+      laid_out<hard_to_decide>("hard_to_decide",
+                               "the line touches, or passes by a part that twice the digits hide",
+                               {in_reach, {"hit", 0.15}, {"miss", 0.3}}),
       placed<near_its_origin>({{"in reach", 0.97}, {"hit", 0.25}, {"miss", 0.4}}),
       transformed<near_its_origin>({all_in_reach, {"hit", 0.3}, {"miss", 0.1}}),
       in_whole_numbers<whole_numbers>(

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "generators/aim.hpp"
+#include "generators/hard_to_round.hpp"
 
 namespace rayproof::triangle_family {
 
@@ -168,6 +168,29 @@ namespace rayproof::triangle_family {
   const glm::dvec3 slope = draw::magnitude<double>(random, -draw::digits_of(precision), -4) * any_direction;
   const double length = std::sqrt(dot(in_plane, in_plane)), distance = random.uniform(0, 20);
   return looked_at(triangle, in_or_beside(random, triangle), 1 / length * in_plane + slope, distance, 1);
+}
+
+[[nodiscard]] inline Scene hard_to_round(Random& random, Precision precision) {
+  return hard::first_drawn(precision, [&](const hard::Grid& grid) {
+    const auto t = lattice::on_grid(in_a_room(random), grid.shape);
+    return hard::to_round(random, grid, t, hard::plane_along(grid, t.a, t.b - t.a, t.c - t.a),
+                          inside(random, t));
+  });
+}
+
+[[nodiscard]] inline Scene hard_to_decide(Random& random, Precision precision) {
+  return hard::first_drawn(precision, [&](const hard::Grid& grid) {
+    const auto t = lattice::on_grid(in_a_room(random), grid.shape);
+    const glm::dvec3 edge = t.b - t.a;
+    const Triangle<double> turned[] = {t, {t.b, t.c, t.a}, {t.c, t.a, t.b}};  // any edge is the first of one
+    return hard::to_decide(random, grid, turned[random.between(0, 2)], t.a, edge, t.a + random.unit() * edge);
+  });
+}
+
+/// A triangle of a few units 1e2 to 1e4 from the origin of coordinates, and a ray beside its edge.
+[[nodiscard]] inline Scene off_origin(Random& random, Precision precision) {
+  Scene scene = near_edges(random, precision);
+  return displaced(random, scene);
 }
 
 }  // namespace rayproof::triangle_family

@@ -1,0 +1,112 @@
+#pragma once
+/// \file
+/// Rays for which a few digits more than the format's own decide nothing: t lies beside the middle of two
+/// numbers, or beside an end of the interval, and edges are passed, nearer than twice the digits tell.
+///
+/// All is whole on a grid. How far a ray's t is from a number, and its line from an edge, is then a multiple
+/// of a small step, and linear in the ray's origin; so the origin is sought among the whole points of a
+/// plane, near the place that it was drawn at. V. Lefèvre and J.-M. Muller seek the hard cases of functions
+/// on lattices, too ("Worst Cases for Correct Rounding of the Elementary Functions in Double Precision",
+/// 2001).
+
+#include "generators/aim.hpp"
+#include "generators/lattice.hpp"
+
+namespace rayproof::hard {
+
+using lattice::Whole, lattice::WholeVector;
+
+/// Shape, direction and origin are multiples of 2^-shape, 2^-direction and 2^-origin.
+struct Grid {
+  int digits, shape, direction, origin;
+};
+[[nodiscard]] inline Grid grid_of(Precision precision) {
+  return precision == Precision::float32 ? Grid{24, 14, 19, 19} : Grid{53, 36, 47, 48};
+}
+
+inline constexpr const char* to_round_description =
+    "t is beside the middle of two numbers, or an end of the interval, by a part that twice the digits hide";
+inline constexpr const char* to_decide_description =
+    "the line passes an edge by a part that twice the digits hide, or exactly through it";
+
+/// All x with n·x = height, in steps of the shape's grid; n has no common factor.
+struct WholePlane {
+  WholeVector n;
+  Whole height;
+};
+/// Through a point, along two edges.
+[[nodiscard]] inline WholePlane plane_along(const Grid& grid, const glm::dvec3& point, const glm::dvec3& a,
+                                            const glm::dvec3& b) {
+  const WholeVector n =
+      lattice::primitive(lattice::cross(lattice::whole(a, grid.shape), lattice::whole(b, grid.shape)));
+  return {n, lattice::dot(n, lattice::whole(point, grid.shape))};
+}
+
+/// A distance that is the part 2^-1.5digits to 2^-2.5digits of `size`, or one step; of either sign.
+[[nodiscard]] inline Whole next_to_nothing(Random& random, const Whole& size, const Grid& grid) {
+  const int bits = static_cast<int>(msb(abs(size))),
+            fewer = static_cast<int>(random.uniform(1.5, 2.5) * grid.digits);
+  const Whole some = lattice::some_whole(random, bits - fewer);
+  return random.one_in(2) ? -some : some;
+}
+
+/// The scene of these whole numbers; nothing where the origin has more digits than the precision.
+[[nodiscard]] inline std::optional<Scene> scene_of(const Grid& grid, const Shape& shape,
+                                                   const WholeVector& origin, const WholeVector& direction) {
+  for (const Whole& x : origin)
+    if (abs(x) >> grid.digits != 0) return std::nullopt;
+  return Scene{lattice::vector(origin, grid.origin), lattice::vector(direction, grid.direction), shape};
+}
+
+/// A ray to near `target` that meets the plane at a t beside the middle of two numbers; a third of the time
+/// beside a number at which its interval ends.
+[[nodiscard]] inline std::optional<Scene> to_round(Random& random, const Grid& grid, const Shape& shape,
+                                                   const WholePlane& plane, const glm::dvec3& target) {
+  const WholeVector direction = lattice::whole(draw::unit_vector(random), grid.direction);
+  const Whole along = lattice::dot(plane.n, direction);
+  if (along % 2 == 0) return std::nullopt;
+
+  // t is beside M·2^(e - digits). In N steps of the origin along n that is N·2^k = M·along - r.
+  const int e = random.between(1, 3), k = grid.direction + grid.digits - e - grid.origin;
+  const bool ends_there = random.one_in(3);
+  Whole r = next_to_nothing(random, along << grid.digits, grid);
+  if (r % 2 == 0) ++r;
+  if (ends_there) r *= 2;
+  const Whole modulus = Whole(1) << k;
+  const Whole M =
+      (lattice::some_whole(random, grid.digits + 1 - k) << k) + lattice::quotient_modulo(r, along, modulus);
+  const double t = lattice::number(M, grid.digits - e);
+
+  const Whole steps = (plane.height << (grid.origin - grid.shape)) - (M * along - r) / modulus;
+  const glm::dvec3 drawn = target - t * lattice::vector(direction, grid.direction);
+  const lattice::PlaneLattice points(plane.n);
+  auto scene = scene_of(grid, shape, points.point_near(lattice::whole(drawn, grid.origin), steps), direction);
+  if (!scene) return scene;
+  scene->aimed_at = t;
+  if (ends_there) (random.one_in(2) ? scene->t_min : scene->t_max) = t;
+  return scene;
+}
+
+/// A ray that passes the edge from `corner` along `edge`, near `target`, by next to nothing; an eighth of the
+/// time exactly through it.
+[[nodiscard]] inline std::optional<Scene> to_decide(Random& random, const Grid& grid, const Shape& shape,
+                                                    const glm::dvec3& corner, const glm::dvec3& edge,
+                                                    const glm::dvec3& target) {
+  const WholeVector direction = lattice::whole(draw::unit_vector(random), grid.direction);
+  const WholeVector n = lattice::primitive(lattice::cross(direction, lattice::whole(edge, grid.shape)));
+  if (lattice::dot(n, n) == 0) return std::nullopt;
+  const Whole size = abs(n[0]) + abs(n[1]) + abs(n[2]);
+  const Whole r = random.one_in(8) ? Whole(0) : next_to_nothing(random, size << grid.digits, grid);
+  const Whole steps = (lattice::dot(n, lattice::whole(corner, grid.shape)) << (grid.origin - grid.shape)) + r;
+  const glm::dvec3 drawn = target - random.uniform(1, 8) * lattice::vector(direction, grid.direction);
+  return scene_of(grid, shape, lattice::PlaneLattice(n).point_near(lattice::whole(drawn, grid.origin), steps),
+                  direction);
+}
+
+/// The first scene that `draw(grid)` gives.
+[[nodiscard]] Scene first_drawn(Precision precision, auto&& draw) {
+  for (;;)
+    if (const std::optional<Scene> scene = draw(grid_of(precision))) return *scene;
+}
+
+}  // namespace rayproof::hard
