@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 /// Rays for which a few digits more than the format's own decide nothing: t lies beside the middle of two
-/// numbers, or beside an end of the interval, and edges are passed, nearer than twice the digits tell.
+/// numbers, or beside an end of the interval, and edges are passed, nearer than twice the digits show.
 ///
 /// All is whole on a grid. How far a ray's t is from a number, and its line from an edge, is then a multiple
 /// of a small step, and linear in the ray's origin; so the origin is sought among the whole points of a

@@ -113,7 +113,7 @@ struct PlaneLattice {
   }
 };
 
-/// A number of so many bits; of less than one bit it is 1.
+/// A number of `bits` bits; of less than one bit it is 1.
 [[nodiscard]] inline Whole some_whole(Random& random, int bits) {
   const Whole some = (Whole(1) << 30) + Whole(random.between(0, (1 << 30) - 1));
   if (bits < 1) return 1;

@@ -9,7 +9,7 @@
 
 namespace rayproof::solid_family {
 
-/// An odd number of so many bits.
+/// An odd number with this number of bits.
 [[nodiscard]] inline lattice::Whole odd(Random& random, int bits) {
   return lattice::some_whole(random, bits) | 1;
 }
