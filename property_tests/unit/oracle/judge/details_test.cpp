@@ -140,6 +140,23 @@ TEST(Details, CountTheErrorOfALargeParameterInUnitsOfEpsilonAndInPartsOfItself) 
   EXPECT_EQ(*planted(one, claim(9000.25, HUGE_VAL)).rounded_coordinates, HUGE_VAL);
 }
 
+TEST(Details, KnowWhetherCoordinatesAreRoundedOnce) {
+  const Case plane{.question = RayQuestion{.ray = down(9000.25, 0.5),
+                                           .shape = ParametricPlane{{0, 0, 0}, {3, 0, 0}, {0, 1, 0}}}};
+  const auto claim = [](double u, double v) {
+    return [u, v](RayAnswer& a) { a.parameters = glm::dvec2(u, v); };
+  };
+  const double third = 9000.25 / 3;
+  EXPECT_TRUE(planted(plane, claim(third, 0.5)).coordinates_are_rounded);
+  EXPECT_FALSE(planted(plane, claim(std::nextafter(third, 0), 0.5)).coordinates_are_rounded);
+  EXPECT_FALSE(planted(plane, claim(third, std::nextafter(0.5, 1))).coordinates_are_rounded);
+  EXPECT_TRUE(judge_details(triangle_case(), answer(triangle_case())).coordinates_are_rounded);
+  const auto off = [](RayAnswer& a) { a.barycentric->z = std::nextafter(a.barycentric->z, 2); };
+  const auto first_off = [](RayAnswer& a) { a.barycentric->x = std::nextafter(a.barycentric->x, 2); };
+  EXPECT_FALSE(planted(triangle_case(), off).coordinates_are_rounded);
+  EXPECT_TRUE(planted(triangle_case(), first_off).coordinates_are_rounded) << "it is 1 less the others";
+}
+
 TEST(Details, OfATriangleSeenFromTheSideAreLessCertain) {
   Case grazing = triangle_case();
   question_of(grazing).ray = {{-1, 0.3, 0.001}, {1, 0, -0.001}};

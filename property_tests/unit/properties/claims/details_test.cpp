@@ -41,6 +41,22 @@ TEST(DetailsProperties, HoldForTheOracleUnderATransformAndAreNotAskedOfWhatAShap
   EXPECT_EQ(rule("coordinates", in_triangle, unchanged), Ruling::held);
 }
 
+TEST(DetailsProperties, WhoRoundsTOnceRoundsTheCoordinatesOnceToo) {
+  const Case one = read_case(in_triangle);
+  Subject subject = broken::subject("triangle", [](const Case& asked) -> Answer {
+    auto answer = std::get<RayAnswer>(broken::exactly(asked));
+    answer.barycentric->y = std::nextafter(static_cast<float>(answer.barycentric->y), 2.0F);
+    return answer;
+  });
+  const auto ruling = [&] {
+    return find_property("coordinates")->rule(*std::make_unique<Trial>(subject, one));
+  };
+  subject.contract.holds = Claims{Claim::coordinates};
+  EXPECT_EQ(ruling(), Ruling::held);
+  subject.contract.holds = Claims{Claim::coordinates, Claim::rounded};
+  EXPECT_EQ(ruling(), Ruling::broken);
+}
+
 TEST(DetailsProperties, APointOfTheObjectsSpaceIsOffRayAndSurface) {
   const auto unmapped = [](RayAnswer& answer) { answer.point->z /= 2; };
   EXPECT_EQ(rule("point", on_ellipsoid, unmapped), Ruling::broken);

@@ -60,6 +60,17 @@ TEST(Properties, AMissIsAWrongVerdict) {
   EXPECT_EQ(rule("robust-verdict", miss), Ruling::broken);
 }
 
+TEST(Properties, ALineThatMeetsTheShapeAndIsMissedIsNotConservativeWhateverTheInterval) {
+  const auto miss = [](const Case&) -> Answer { return RayAnswer{}; };
+  Case behind = head_on(), beside = head_on();
+  std::get<RayQuestion>(behind.question).ray.origin.z = 5;
+  std::get<RayQuestion>(beside.question).ray.origin.x = 3;
+  EXPECT_EQ(rule("conservative", miss), Ruling::broken);
+  EXPECT_EQ(rule("conservative", miss, behind), Ruling::broken);
+  EXPECT_EQ(rule("conservative", broken::exactly, behind), Ruling::held);
+  EXPECT_EQ(rule("conservative", miss, beside), Ruling::outside);
+}
+
 TEST(Properties, AHitThatIsNotThereIsAWrongVerdict) {
   Case beside = head_on();
   std::get<RayQuestion>(beside.question).ray.origin.x = 3;

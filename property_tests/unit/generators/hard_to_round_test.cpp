@@ -1,0 +1,110 @@
+/// \file
+/// The hard cases are as hard as they are said to be: measured in rational numbers.
+
+#include <gtest/gtest.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include "generators/generators.hpp"
+#include "generators/scene.hpp"
+
+namespace rayproof {
+namespace {
+
+using Rational = boost::multiprecision::cpp_rational;
+using Vector = std::array<Rational, 3>;
+
+Vector exact(const glm::dvec3& v) { return {Rational(v.x), Rational(v.y), Rational(v.z)}; }
+Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+Rational dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/// The family's cases of a precision.
+std::vector<RayQuestion> cases_of(const char* topic, const char* name, Precision precision) {
+  std::vector<RayQuestion> cases;
+  for (const Family& family : families())
+    if (family.topic == topic && family.name == name)
+      for (std::uint64_t seed = 0; seed < 300; ++seed)
+        cases.push_back(std::get<RayQuestion>(family.generate(seed, precision).question));
+  return cases;
+}
+
+/// How far t is from the nearest multiple of half a spacing, as a part of t.
+double from_a_midpoint(const Rational& t, int digits) {
+  const int exponent = std::ilogb(t.convert_to<double>());
+  const Rational halves = t * Rational(std::exp2(digits - exponent));
+  const Rational off = halves - Rational(std::round(halves.convert_to<double>()));
+  return std::abs((off / halves).convert_to<double>());
+}
+
+class HardCases : public testing::TestWithParam<Precision> {};
+
+TEST_P(HardCases, TheTOfATriangleIsBesideANumberOrTheMiddleOfTwo) {
+  const int digits = draw::digits_of(GetParam());
+  int nearer_than_double_the_digits = 0;
+  for (const RayQuestion& one : cases_of("triangle", "hard_to_round", GetParam())) {
+    const auto& shape = std::get<Triangle<double>>(one.shape);
+    const Vector a = exact(shape.a), o = exact(one.ray.origin);
+    const Vector n = cross(minus(exact(shape.b), a), minus(exact(shape.c), a));
+    const double off = from_a_midpoint(dot(n, minus(a, o)) / dot(n, exact(one.ray.direction)), digits);
+    EXPECT_LE(off, std::exp2(-1.4 * digits));
+    nearer_than_double_the_digits += int{off < std::exp2(-2.0 * digits)};
+  }
+  EXPECT_GT(nearer_than_double_the_digits, 90);
+}
+
+TEST_P(HardCases, ATrianglesEdgeIsPassedByNextToNothingOnBothSidesAndOnIt) {
+  const int digits = draw::digits_of(GetParam());
+  std::array<int, 3> sides{};
+  for (const RayQuestion& one : cases_of("triangle", "hard_to_decide", GetParam())) {
+    const auto& shape = std::get<Triangle<double>>(one.shape);
+    const Vector corners[] = {exact(shape.a), exact(shape.b), exact(shape.c)}, d = exact(one.ray.direction);
+    Rational nearest(1);
+    for (int i = 0; i < 3; ++i) {
+      const Vector& p = corners[i];
+      const Vector across = cross(d, minus(corners[(i + 1) % 3], p));
+      const Rational by = dot(minus(p, exact(one.ray.origin)), across) / dot(across, across);
+      if (abs(by) < abs(nearest)) nearest = by;
+    }
+    EXPECT_LE(abs(nearest).convert_to<double>(), std::exp2(-1.2 * digits));
+    ++sides.at(static_cast<std::size_t>(nearest.sign() + 1));
+  }
+  EXPECT_GT(sides[0], 50);
+  EXPECT_GT(sides[1], 10);
+  EXPECT_GT(sides[2], 50);
+}
+
+TEST_P(HardCases, ARayPassesASphereByNextToNothingBothInsideAndOutside) {
+  const int digits = draw::digits_of(GetParam());
+  std::array<int, 3> sides{};
+  for (const RayQuestion& one : cases_of("sphere", "hard_to_decide", GetParam())) {
+    const auto& shape = std::get<Sphere<double>>(one.shape);
+    const Vector f = minus(exact(one.ray.origin), exact(shape.center)), d = exact(one.ray.direction);
+    const Rational r(shape.radius), b = dot(f, d), a = dot(d, d);
+    const Rational part = (b * b - a * (dot(f, f) - r * r)) / (a * r * r);
+    EXPECT_LE(abs(part).convert_to<double>(), std::exp2(-digits));
+    ++sides.at(static_cast<std::size_t>(part.sign() + 1));
+  }
+  EXPECT_GT(sides[0], 50);
+  EXPECT_GT(sides[2], 30);
+}
+
+INSTANTIATE_TEST_SUITE_P(InBothPrecisions, HardCases, testing::Values(Precision::float32, Precision::float64),
+                         [](const auto& info) {
+                           return info.param == Precision::float32 ? "float" : "double";
+                         });
+
+TEST(HardSlabs, ABoxIsEnteredAsItIsLeftButForTheOriginsTinyCoordinates) {
+  int hard = 0;
+  for (const RayQuestion& one : cases_of("box", "hard_to_round", Precision::float32)) {
+    const auto& box = std::get<Box<double>>(one.shape);
+    if (box.max != glm::dvec3(64) && box.min != glm::dvec3(-64) && dot(one.ray.origin, one.ray.origin) < 1e-4)
+      ++hard;
+  }
+  EXPECT_GT(hard, 30);
+}
+
+}  // namespace
+}  // namespace rayproof
