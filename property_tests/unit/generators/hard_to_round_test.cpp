@@ -12,14 +12,18 @@ namespace rayproof {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
-using Vector = std::array<Rational, 3>;
+using RationalVector = std::array<Rational, 3>;
 
-Vector exact(const glm::dvec3& v) { return {Rational(v.x), Rational(v.y), Rational(v.z)}; }
-Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Vector cross(const Vector& a, const Vector& b) {
+RationalVector rational(const glm::dvec3& v) { return {Rational(v.x), Rational(v.y), Rational(v.z)}; }
+RationalVector rational_minus(const RationalVector& a, const RationalVector& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+RationalVector rational_cross(const RationalVector& a, const RationalVector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-Rational dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Rational rational_dot(const RationalVector& a, const RationalVector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 /// The family's cases of a precision.
 std::vector<RayQuestion> cases_of(const char* topic, const char* name, Precision precision) {
@@ -35,7 +39,8 @@ std::vector<RayQuestion> cases_of(const char* topic, const char* name, Precision
 double from_a_midpoint(const Rational& t, int digits) {
   const int exponent = std::ilogb(t.convert_to<double>());
   const Rational halves = t * Rational(std::exp2(digits - exponent));
-  const Rational off = halves - Rational(std::round(halves.convert_to<double>()));
+  const Rational raised = halves + Rational(1, 2);
+  const Rational off = halves - Rational(numerator(raised) / denominator(raised));
   return std::abs((off / halves).convert_to<double>());
 }
 
@@ -46,9 +51,11 @@ TEST_P(HardCases, TheTOfATriangleIsBesideANumberOrTheMiddleOfTwo) {
   int nearer_than_double_the_digits = 0;
   for (const RayQuestion& one : cases_of("triangle", "hard_to_round", GetParam())) {
     const auto& shape = std::get<Triangle<double>>(one.shape);
-    const Vector a = exact(shape.a), o = exact(one.ray.origin);
-    const Vector n = cross(minus(exact(shape.b), a), minus(exact(shape.c), a));
-    const double off = from_a_midpoint(dot(n, minus(a, o)) / dot(n, exact(one.ray.direction)), digits);
+    const RationalVector a = rational(shape.a), o = rational(one.ray.origin);
+    const RationalVector n =
+        rational_cross(rational_minus(rational(shape.b), a), rational_minus(rational(shape.c), a));
+    const double off = from_a_midpoint(
+        rational_dot(n, rational_minus(a, o)) / rational_dot(n, rational(one.ray.direction)), digits);
     EXPECT_LE(off, std::exp2(-1.4 * digits));
     nearer_than_double_the_digits += int{off < std::exp2(-2.0 * digits)};
   }
@@ -60,12 +67,14 @@ TEST_P(HardCases, ATrianglesEdgeIsPassedByNextToNothingOnBothSidesAndOnIt) {
   std::array<int, 3> sides{};
   for (const RayQuestion& one : cases_of("triangle", "hard_to_decide", GetParam())) {
     const auto& shape = std::get<Triangle<double>>(one.shape);
-    const Vector corners[] = {exact(shape.a), exact(shape.b), exact(shape.c)}, d = exact(one.ray.direction);
+    const RationalVector corners[] = {rational(shape.a), rational(shape.b), rational(shape.c)},
+                         d = rational(one.ray.direction);
     Rational nearest(1);
     for (int i = 0; i < 3; ++i) {
-      const Vector& p = corners[i];
-      const Vector across = cross(d, minus(corners[(i + 1) % 3], p));
-      const Rational by = dot(minus(p, exact(one.ray.origin)), across) / dot(across, across);
+      const RationalVector& p = corners[i];
+      const RationalVector across = rational_cross(d, rational_minus(corners[(i + 1) % 3], p));
+      const Rational by =
+          rational_dot(rational_minus(p, rational(one.ray.origin)), across) / rational_dot(across, across);
       if (abs(by) < abs(nearest)) nearest = by;
     }
     EXPECT_LE(abs(nearest).convert_to<double>(), std::exp2(-1.2 * digits));
@@ -81,9 +90,10 @@ TEST_P(HardCases, ARayPassesASphereByNextToNothingBothInsideAndOutside) {
   std::array<int, 3> sides{};
   for (const RayQuestion& one : cases_of("sphere", "hard_to_decide", GetParam())) {
     const auto& shape = std::get<Sphere<double>>(one.shape);
-    const Vector f = minus(exact(one.ray.origin), exact(shape.center)), d = exact(one.ray.direction);
-    const Rational r(shape.radius), b = dot(f, d), a = dot(d, d);
-    const Rational part = (b * b - a * (dot(f, f) - r * r)) / (a * r * r);
+    const RationalVector f = rational_minus(rational(one.ray.origin), rational(shape.center)),
+                         d = rational(one.ray.direction);
+    const Rational r(shape.radius), b = rational_dot(f, d), a = rational_dot(d, d);
+    const Rational part = (b * b - a * (rational_dot(f, f) - r * r)) / (a * r * r);
     EXPECT_LE(abs(part).convert_to<double>(), std::exp2(-digits));
     ++sides.at(static_cast<std::size_t>(part.sign() + 1));
   }
@@ -92,8 +102,8 @@ TEST_P(HardCases, ARayPassesASphereByNextToNothingBothInsideAndOutside) {
 }
 
 INSTANTIATE_TEST_SUITE_P(InBothPrecisions, HardCases, testing::Values(Precision::float32, Precision::float64),
-                         [](const auto& info) {
-                           return info.param == Precision::float32 ? "float" : "double";
+                         [](const auto& given) {
+                           return given.param == Precision::float32 ? "float" : "double";
                          });
 
 TEST(HardSlabs, ABoxIsEnteredAsItIsLeftButForTheOriginsTinyCoordinates) {
