@@ -84,8 +84,8 @@ class PolygonIntersection final : public OutlinedIntersection {
   }
 
  private:
-  /// How much larger the normal's largest component is than the axis's, in units of what the normal is the
-  /// sum of; endless where the polygon, seen along the axis, is met all the same.
+  /// How much larger the normal's largest component is than the axis's, in units of what moving each vertex by
+  /// its own length would make of it; endless where the polygon, seen along the axis, is met all the same.
   [[nodiscard]] Scaled lead_over(int axis) const {
     if (is_parallel()) return endless();
     const Vector<Ring>& normal = plane_normal();
@@ -95,7 +95,9 @@ class PolygonIntersection final : public OutlinedIntersection {
     };
     if (is_met(chosen) == is_met(other)) return endless();
     const Scaled lead = abs(approximate(normal[chosen.axis()])) - abs(approximate(normal[axis]));
-    return lead / normal_size_of<Scaled>(polygon_);
+    Scaled lengths;
+    for (const glm::dvec3& vertex : polygon_.vertices) lengths = lengths + norm(vertex);
+    return lead / (reach() * lengths);
   }
   /// The largest distance of a vertex from the first.
   [[nodiscard]] Scaled reach() const {

@@ -13,8 +13,12 @@ namespace rayproof {
 
 namespace {
 
-/// In which column a claim stands: `rounded` says what `ulp` says, more strictly.
-Claim column_of(Claim claim) { return claim == Claim::rounded ? Claim::ulp : claim; }
+/// In which column a claim stands: `rounded` says what `ulp` says, more strictly, `conservative` half of what
+/// `verdict` says.
+Claim column_of(Claim claim) {
+  if (claim == Claim::conservative) return Claim::verdict;
+  return claim == Claim::rounded ? Claim::ulp : claim;
+}
 
 /// The status of a row in a claim's column, which several properties may serve: the one that matters most.
 ClaimStatus status_of(const Row& row, Claim claim) {

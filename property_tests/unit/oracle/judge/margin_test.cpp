@@ -134,9 +134,10 @@ INSTANTIATE_TEST_SUITE_P(Of, Margin,
 
 // Found, before it was mended, that a margin to the line of a side excused a wrong place beside the side (of
 // a point in a polygon, no such input for 76 of 667), and that the planes of a solid and the volumes of a
-// triangle excused as much. The search may go twice as far as the band: it moves numbers, and the bands are
-// of lengths of vectors. Chance rarely finds the inputs beside a ray that runs in the plane of a polygon, or
-// almost along it (there 5,000 trials were too few), or in the side of a cylinder.
+// triangle excused as much; and, by polygons off the origin, that another axis of the projection was excused
+// by products of places in place of edges (5 of 122). The search may go twice as far as the band: it moves
+// numbers, and the bands are of lengths of vectors. Chance rarely finds the inputs beside a ray that runs in
+// the plane of a polygon, or almost along it (there 5,000 trials were too few), or in the side of a cylinder.
 TEST_P(Margin, OfAnExcusedVerdictHasAnInputOfAnotherVerdictWithinTheBand) {
   const double band = robust_bound(GetParam()).value();
   std::size_t excused = 0;
