@@ -1,4 +1,4 @@
-#include "viz/player/handles.hpp"
+#include "viz/player/player.hpp"
 
 #include <fmt/format.h>
 

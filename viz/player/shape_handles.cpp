@@ -10,7 +10,7 @@
 #include <string_view>
 #include <variant>
 
-#include "viz/player/handles.hpp"
+#include "viz/player/player.hpp"
 
 namespace rayproof::viz {
 namespace {

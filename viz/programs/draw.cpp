@@ -4,7 +4,7 @@
 #include "case/one_file.hpp"
 #include "viz/flat/stage_picture.hpp"
 #include "viz/page/page.hpp"
-#include "viz/picture/svg.hpp"
+#include "viz/picture/picture.hpp"
 #include "viz/programs/draw/heat.hpp"
 #include "viz/programs/files.hpp"
 #ifdef RAYPROOF_HAS_VTK

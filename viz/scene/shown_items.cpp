@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "viz/picture/clip.hpp"
+#include "viz/picture/picture.hpp"
 
 namespace rayproof::viz {
 namespace {

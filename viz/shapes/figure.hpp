@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// What a shape looks like in space: the one thing that a shape brings to the pictures.
+/// What a shape looks like in space, the one thing that a shape brings to the pictures; and a ray beside it:
+/// from which side they are seen, and where the ray passes nearest to the outline.
 
 #include <array>
 #include <optional>
@@ -10,7 +11,9 @@
 #include <utility>
 #include <vector>
 
+#include "case/answer.hpp"
 #include "case/case.hpp"
+#include "viz/scene/stage.hpp"
 #include "viz/trace/shadow.hpp"
 
 namespace rayproof::viz {
@@ -76,5 +79,29 @@ struct Figure {
 
 /// A box or parallelepiped. Edges of length 0 are allowed.
 [[nodiscard]] Figure solid_figure(const Place& corner, const std::array<Place, 3>& edges);
+
+/// The question in the world.
+struct RayScene {
+  Sight sight;
+  Figure figure;
+  Place along_ray;  ///< the direction, of unit length
+
+  [[nodiscard]] Place at(const Shadow& t) const { return point_at(sight.ray, t); }
+  [[nodiscard]] StageCamera camera() const;
+};
+[[nodiscard]] RayScene scene_of(const Case& one, const Answer* exact, const Answer* claimed);
+
+/// Where the ray passes nearest to the outline.
+struct NearestPass {
+  const Border* border;  ///< of the scene's figure
+  Shadow t;
+  Place on_outline;
+  Shadow gap;
+};
+[[nodiscard]] std::optional<NearestPass> nearest_of(const RayScene& scene);
+
+/// From where neither the ray is seen end-on nor a surface with one of the given normals edge-on; the ray
+/// runs to the right. All are unit vectors.
+[[nodiscard]] StageCamera chosen_camera(const glm::dvec3& along_ray, const std::vector<glm::dvec3>& normals);
 
 }  // namespace rayproof::viz

@@ -15,7 +15,7 @@
 #include <array>
 #include <cmath>
 
-#include "viz/picture/clip.hpp"
+#include "viz/picture/picture.hpp"
 #include "viz/scene/shown_items.hpp"
 #include "viz/vtk/raster_png.hpp"
 #include "viz/vtk/sheet/picture_item.hpp"

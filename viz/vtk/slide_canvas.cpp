@@ -13,7 +13,7 @@
 
 #include "case/escape.hpp"
 #include "viz/flat/stage_picture.hpp"
-#include "viz/picture/palette.hpp"
+#include "viz/picture/picture.hpp"
 #include "viz/vtk/raster_png.hpp"
 
 namespace rayproof::viz {

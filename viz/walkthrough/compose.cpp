@@ -101,6 +101,12 @@ Setting surface_setting(const CaseReport& report, Items surface, double t_end) {
   return setting;
 }
 
+Stage run_stage(const CaseReport& report, const Walkthrough& walk, const Setting& setting) {
+  Stage stage = composed_stage(report, walk, setting);
+  stage.steps.push_back(difference_of_values(walk, setting, report.one.precision));
+  return stage;
+}
+
 void begin_anew(Stage& stage, std::string_view title) {
   for (StageStep& step : stage.steps)
     if (step.title.starts_with(title)) step.begins_anew = true;

@@ -44,6 +44,9 @@ template <class R>
 /// Each of the setting's bindings must draw something that the run records: std::logic_error.
 [[nodiscard]] Stage composed_stage(const CaseReport& report, const Walkthrough& walk, const Setting& setting);
 
+/// The same, and a last step on how far the run's own values differ from the exact ones.
+[[nodiscard]] Stage run_stage(const CaseReport& report, const Walkthrough& walk, const Setting& setting);
+
 /// The place of the step whose title begins so: std::logic_error where there is none.
 template <class Steps>
 [[nodiscard]] std::size_t place_of(const Steps& steps, std::string_view title) {
@@ -65,14 +68,11 @@ void show_beside(Stage& stage, const std::string& title, const Items& items);
                                              Precision precision);
 
 /// A drawing in the plane of the screen, of its own scene.
-[[nodiscard]] inline Setting plot_setting(const CaseReport& report) {
-  Setting setting = setting_of(report);
-  setting.camera = {};
-  setting.camera.is_flat = true;
-  setting.scene.clear();
-  setting.near = setting.wide = {{0, 0, 0}, 0.8};
-  setting.to_world = [](const glm::dvec3& p) { return p; };
-  return setting;
+[[nodiscard]] inline Setting plot_setting() {
+  return {.camera = {.is_flat = true},
+          .near = {{0, 0, 0}, 0.8},
+          .wide = {{0, 0, 0}, 0.8},
+          .to_world = [](const glm::dvec3& p) { return p; }};
 }
 
 /// The surface and the ray up to t_end, with a slider over the same.

@@ -6,7 +6,6 @@
 #include "viz/explain/case_report.hpp"
 #include "viz/scene/items.hpp"
 #include "viz/trace/numbers.hpp"
-#include "viz/walkthrough/difference_gap.hpp"
 #include "viz/walkthrough/setting.hpp"
 #include "viz/walkthrough/stage_values.hpp"
 

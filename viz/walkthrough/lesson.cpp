@@ -16,13 +16,17 @@ Lesson read_lesson(const Field& field) {
     const auto given = reader.find(name);
     return given ? read_string(*given) : std::string();
   };
-  Lesson lesson{text_of("name"),
-                text_of("group"),
-                text_of("title"),
-                text_of("sentence"),
-                std::string(reader.need("case").node().text),
-                text_of("method")};
-  lesson.beside = text_of("beside");
+  Lesson lesson{.name = text_of("name"),
+                .group = text_of("group"),
+                .title = text_of("title"),
+                .sentence = text_of("sentence"),
+                .case_text = std::string(reader.need("case").node().text),
+                .method = text_of("method"),
+                .beside = text_of("beside"),
+                .first = text_of("first"),
+                .runs = text_of("runs"),
+                .source = text_of("source"),
+                .conclusion = text_of("conclusion")};
   if (const auto notes = reader.find("notes")) {
     for (const Field& note : notes->elements("must be a list of notes")) {
       const std::vector<Field> parts = note.elements("must be a step's title and words", 2);
@@ -62,6 +66,13 @@ Stage stage_of(const Lesson& lesson, const ReportCase& report_on) {
   Stage stage = lesson.compose != nullptr ? lesson.compose(one, report_on)
                 : lesson.beside.empty()   ? stage_of(report_on(one, lesson.method))
                                           : stage_beside(one, report_on, lesson.method, lesson.beside);
+  const auto say = [](std::string& place, const std::string& words) {
+    if (!words.empty()) place = words;
+  };
+  say(stage.steps.front().title, lesson.first);
+  say(stage.method, lesson.runs);
+  say(stage.source, lesson.source);
+  say(stage.conclusion, lesson.conclusion);
   for (const auto& [title, words] : lesson.notes) {
     StageStep& step = stage.steps.at(place_of(stage.steps, title));
     const std::size_t end = step.caption.starts_with(step.words) ? step.words.size() : step.caption.size();

@@ -35,6 +35,9 @@ struct Lesson {
   Stage (*compose)(const Case& one, const ReportCase& report_on) = nullptr;
   std::vector<LessonNote> notes{};
   std::string beside{};  ///< the right method, where `method` is one with a source's error
+  /// What a composed stage says of itself: the title of its first step, what ran, its source, its conclusion;
+  /// empty where the composer says it, or the report.
+  std::string first{}, runs{}, source{}, conclusion{};
 };
 
 /// In the order of teaching, those of a group together.

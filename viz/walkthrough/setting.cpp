@@ -5,10 +5,9 @@
 
 #include "viz/explain/case_report.hpp"
 #include "viz/scene/items.hpp"
-#include "viz/shapes/ray_scene.hpp"
+#include "viz/shapes/figure.hpp"
 #include "viz/shapes/topics.hpp"
 #include "viz/trace/numbers.hpp"
-#include "viz/walkthrough/difference_gap.hpp"
 
 namespace rayproof::viz {
 namespace {

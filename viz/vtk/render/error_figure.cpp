@@ -8,7 +8,6 @@
 
 #include "viz/render/errors.hpp"
 #include "viz/vtk/picture_png.hpp"
-#include "viz/vtk/render/error_layout.hpp"
 
 namespace rayproof::render {
 

@@ -2,11 +2,15 @@
 /// \file
 /// Error images with their legend and totals, side by side on one scale.
 
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "viz/picture/picture.hpp"
 #include "viz/picture/raster.hpp"
 #include "viz/render/errors.hpp"
+#include "viz/vtk/picture_png.hpp"
 
 namespace rayproof::render {
 
@@ -33,5 +37,53 @@ struct ShadowPanel {
 /// The panels, three in a row, each under its title, and what the colours mean below. Needs a display
 /// (viz::OffscreenDisplay).
 [[nodiscard]] viz::Raster shadow_figure(const std::vector<ShadowPanel>& panels);
+
+using viz::png_scale;
+
+// All lengths are in the picture's own pixels, png_scale device pixels each.
+inline constexpr double margin = 20, gap = 24, row_height = 22, swatch_width = 34, swatch_height = 15;
+inline constexpr double label_width = 300, count_width = 170, least_width = 560;
+/// Small images are magnified by a whole number to this or more, so that single pixels can be seen.
+inline constexpr int least_panel = 420;
+/// Of the letters of titles and legend.
+inline constexpr double letter_size = 14;
+
+/// A pixel of a panel's image.
+struct PanelPixel {
+  std::size_t panel = 0;
+  int x = 0, y = 0;
+};
+
+struct ErrorLayout {
+  int columns, rows;  ///< of an image
+  int zoom;           ///< device pixels for one of the image's
+  double panel_width, panel_height, panels_top;
+  double width;
+  std::vector<std::vector<std::string>> titles{};  ///< the lines above each panel
+
+  explicit ErrorLayout(const std::vector<ErrorPanel>& panels);
+
+  [[nodiscard]] double panel_left(std::size_t i) const {
+    return margin + static_cast<double>(i) * (panel_width + gap);
+  }
+  /// What a device pixel of the figure shows; nothing beside the panels.
+  [[nodiscard]] std::optional<PanelPixel> pixel_at(double x, double y) const;
+};
+
+/// Where the counts of panel i end in the legend.
+[[nodiscard]] inline double count_right(std::size_t i) {
+  return margin + swatch_width + 10 + label_width + static_cast<double>(i + 1) * count_width;
+}
+
+/// A swatch of the legend, to be painted once the picture is pixels.
+struct Swatch {
+  double top;
+  std::function<viz::Rgb(int, int)> colour;
+};
+
+/// Writes the legend and each panel's totals into the picture from `top` on, and gives back its swatches; the
+/// picture becomes as high as that takes.
+[[nodiscard]] std::vector<Swatch> write_legend(viz::Picture& picture, const std::vector<ErrorPanel>& panels,
+                                               double top);
 
 }  // namespace rayproof::render

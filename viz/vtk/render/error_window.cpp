@@ -17,7 +17,7 @@
 
 #include "viz/vtk/offscreen_display.hpp"
 #include "viz/vtk/raster_png.hpp"
-#include "viz/vtk/window/orbit_style.hpp"
+#include "viz/vtk/window/widgets.hpp"
 
 namespace rayproof::render {
 namespace {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "viz/vtk/render/error_layout.hpp"
+#include "viz/vtk/render/error_figure.hpp"
 
 class vtkRenderWindow;
 class vtkRenderWindowInteractor;

@@ -23,7 +23,7 @@
 
 #include "viz/render/errors.hpp"
 #include "viz/vtk/raster_png.hpp"
-#include "viz/vtk/sheet/picture_text.hpp"
+#include "viz/vtk/sheet/picture_item.hpp"
 #include "viz/vtk/space/geometry.hpp"
 
 namespace rayproof::render {

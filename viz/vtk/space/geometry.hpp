@@ -10,7 +10,7 @@
 
 #include <vector>
 
-#include "viz/picture/palette.hpp"
+#include "viz/picture/picture.hpp"
 #include "viz/scene/space.hpp"
 
 class vtkActor;

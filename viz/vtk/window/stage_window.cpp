@@ -16,10 +16,7 @@
 #include "viz/flat/stage_picture.hpp"
 #include "viz/vtk/offscreen_display.hpp"
 #include "viz/vtk/raster_png.hpp"
-#include "viz/vtk/window/buttons.hpp"
-#include "viz/vtk/window/handle_widgets.hpp"
-#include "viz/vtk/window/orbit_style.hpp"
-#include "viz/vtk/window/time_slider.hpp"
+#include "viz/vtk/window/widgets.hpp"
 
 namespace rayproof::viz {
 namespace {

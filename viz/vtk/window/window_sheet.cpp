@@ -1,14 +1,38 @@
-#include "viz/vtk/window/stage_window.hpp"
-
 #include <fmt/format.h>
+#include <vtkBalloonRepresentation.h>
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkTexturedButtonRepresentation2D.h>
+
+#include <algorithm>
 
 #include "viz/flat/stage_picture.hpp"
 #include "viz/player/player.hpp"
 #include "viz/trace/numbers.hpp"
+#include "viz/vtk/window/stage_window.hpp"
+#include "viz/vtk/window/widgets.hpp"
 #include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {
 namespace {
+
+constexpr double row_top = slide_height - 28;
+constexpr double button_height = 24;
+constexpr double button_gap = 4;
+constexpr double square_button = 32;
+constexpr double wide_button = 68;
+
+/// Clear, for the face to be seen; of the box's proportions, which VTK keeps.
+vtkSmartPointer<vtkImageData> glass(const PixelBox& box) {
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(static_cast<int>(box.width), static_cast<int>(box.height), 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  image->GetPointData()->GetScalars()->Fill(0);
+  return image;
+}
 
 constexpr double rounded_column = 140;
 constexpr double exact_column = 430;
@@ -46,6 +70,87 @@ std::string focus_in_words(const Player& player) {
 }
 
 }  // namespace
+
+std::vector<Button> buttons_of(const Player& player) {
+  std::vector<Button> buttons;
+  const std::size_t count = player.stage().steps.size();
+  const bool has_others = player.play_count() > 1;
+  double x = slide_margin;
+  // Many steps share the room that is left of the buttons at the right.
+  const double room = (has_others ? 590.0 : 670.0) / (static_cast<double>(count) + 2);
+  const double step_width = std::min(square_button, room - button_gap);
+  const auto add = [&](const std::string& text, const std::string& key, double width) -> Button& {
+    buttons.push_back({{x, row_top, width, button_height}, text, key});
+    x += width + button_gap;
+    return buttons.back();
+  };
+  add("◀", "Left", step_width).is_enabled = player.step() > 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string number = std::to_string(i + 1);
+    add(number, number, step_width).is_current = i == player.step();
+  }
+  add("▶", "Right", step_width).is_enabled = player.step() + 1 < count;
+  x = slide_width - slide_margin - 3 * wide_button - 2 * button_gap;
+  if (has_others) {
+    x -= 2 * (square_button + button_gap);
+    add("«", "p", square_button).is_enabled = player.play() > 0;
+    add("»", "n", square_button).is_enabled = player.play() + 1 < player.play_count();
+  }
+  add("Reset r", "r", wide_button);
+  add("Help h", "h", wide_button).is_current = player.is_help_shown();
+  add("Quit q", "q", wide_button);
+  return buttons;
+}
+
+void draw_buttons(Picture& sheet, const std::vector<Button>& buttons) {
+  for (const Button& button : buttons) {
+    const PixelBox& box = button.box;
+    add_frame(sheet, button.is_current ? Role::text : Role::frame, box, button.is_current ? 2.5 : 1.2);
+    const double size = box.width < 24 ? 11 : 14;
+    add_text(sheet, button.is_enabled ? Role::text : Role::frame,
+             {box.centre().x, box.centre().y + size * 0.36}, button.text, size, button.is_current,
+             Anchor::middle);
+  }
+}
+
+void Buttons::make_one() {
+  vtkNew<vtkTexturedButtonRepresentation2D> face;
+  face->SetNumberOfStates(1);
+  face->SetPlaceFactor(1);
+  vtkNew<vtkButtonWidget> widget;
+  widget->SetInteractor(view_.window().GetInteractor());
+  widget->SetDefaultRenderer(&view_.sheet());
+  widget->SetRepresentation(face);
+  widget->AddObserver(vtkCommand::StateChangedEvent, this, &Buttons::hear);
+  widgets_.push_back(widget);
+  placed_.emplace_back();
+}
+
+void Buttons::hear(vtkObject* source, unsigned long /*pressed*/, void* /*nothing*/) {
+  for (std::size_t i = 0; i < shown_.size(); ++i) {
+    if (widgets_[i] == source) return press_(std::string(shown_[i].key));
+  }
+}
+
+void Buttons::show(const std::vector<Button>& buttons) {
+  shown_ = buttons;
+  while (widgets_.size() < shown_.size()) make_one();
+  for (std::size_t i = 0; i < widgets_.size(); ++i) {
+    const bool is_on = i < shown_.size() && shown_[i].is_enabled;
+    if (is_on) {
+      const Point low = view_.to_window({shown_[i].box.left, shown_[i].box.bottom()});
+      const Point high = view_.to_window({shown_[i].box.right(), shown_[i].box.top});
+      const std::array<double, 6> bounds{low.x, high.x, low.y, high.y, 0, 0};
+      if (placed_[i] != bounds) {
+        placed_[i] = bounds;
+        auto& face = *vtkTexturedButtonRepresentation2D::SafeDownCast(widgets_[i]->GetRepresentation());
+        face.SetButtonTexture(0, glass(shown_[i].box));
+        face.PlaceWidget(placed_[i].data());
+      }
+    }
+    if (widgets_[i]->GetEnabled() != (is_on ? 1 : 0)) widgets_[i]->SetEnabled(is_on ? 1 : 0);
+  }
+}
 
 Picture window_sheet(const Player& player) {
   const bool is_refused = !player.complaint().empty();

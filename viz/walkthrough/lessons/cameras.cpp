@@ -72,15 +72,9 @@ Stage camera_stage(const Case& one, const ReportCase& report_on) {
       {"d", [](const NumbersByName& n) {
          return Items{arrow(Role::ray, eye().eye, eye().eye + 1.35 * n.vector("d"), "the ray")};
        }}};
-  Stage stage = composed_stage(report, walk, setting);
-  stage.steps.front().title = "Look at the eye and its image";
-  stage.method = "camera/pixel_centre";
-  stage.source = "R. Bán, Számítógépes grafika: Raycasting, 2022";
+  Stage stage = run_stage(report, walk, setting);
   stage.slider->direction = std::get<RayQuestion>(one.question).ray.direction;
   stage.slider->readouts.clear();
-  stage.steps.push_back(difference_of_values(walk, setting, one.precision));
-  stage.conclusion =
-      "The lecture's formula takes the pixel's corner for its centre; half a pixel is missing.";
   return stage;
 }
 

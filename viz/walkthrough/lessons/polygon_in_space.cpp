@@ -100,8 +100,6 @@ Stage polygon_stage(const Case& one, const ReportCase& report_on) {
   stage.steps.push_back(difference_step(report, setting));
   stage.steps.back().begins_anew = true;
   stage.steps.back().digits.clear();  // the caption has it; it is not the method that was recorded
-  stage.method = "polygon/parity";
-  stage.source = "E. Haines, Point in Polygon Strategies, Graphics Gems IV, 1994";
   return stage;
 }
 

@@ -148,7 +148,6 @@ Stage loop_stage(const Case& one, const ReportCase& report_on) {
                             hits, width * height),
                 view, image));
   stage.steps.push_back(difference_step(report, setting));
-  stage.method = "sphere/centred for each pixel and object";
   return stage;
 }
 

@@ -105,8 +105,7 @@ Stage normal_stage(const Case& one, const ReportCase& report_on) {
                      },
                      as_it_is, on_unit_sphere},
                     {walk.steps.at(2).title}};
-  Stage stage = composed_stage(report, walk, setting);
-  stage.method = "normal_to_world";
+  Stage stage = run_stage(report, walk, setting);
   // The tangent plane makes it plain which of the two is perpendicular.
   const glm::dvec3 normal = *std::get<RayAnswer>(report.exact).normal;
   const glm::dvec3 u = 0.7 * across(normal);
@@ -114,8 +113,6 @@ Stage normal_stage(const Case& one, const ReportCase& report_on) {
   append(stage.steps.at(3).items,
          {polygon(Role::edge, {hit + u + v, hit + u - v, hit - u - v, hit - u + v}),
           polyline(Role::edge, {hit + u + v, hit + u - v, hit - u - v, hit - u + v, hit + u + v})});
-  stage.steps.push_back(difference_of_values(walk, setting, one.precision));
-  stage.conclusion = "Only the inverse transpose keeps what is at right angles at right angles.";
   return stage;
 }
 

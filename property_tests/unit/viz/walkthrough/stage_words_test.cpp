@@ -10,7 +10,7 @@
 #include "unit/viz/stage_data.hpp"
 #include "viz/explain/case_report.hpp"
 #include "viz/walkthrough/compose.hpp"
-#include "viz/walkthrough/difference_gap.hpp"
+#include "viz/walkthrough/setting.hpp"
 #include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::viz {

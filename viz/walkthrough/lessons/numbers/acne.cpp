@@ -112,7 +112,6 @@ Stage acne_stage(const Case& one, const ReportCase& report_on) {
   spawn::Strategies::for_each([&]<class Strategy>(std::type_identity<Strategy>) {
     stage.steps.push_back(start_step<Strategy>(from, direction, sphere, stage.camera));
   });
-  stage.method = "the strategies of rayproof/spawn";
   stage.conclusion =
       "A fixed offset fails where the coordinates are large; a proven one follows from their rounding.";
   stage.steps.back().digits = stage.conclusion;
