@@ -33,7 +33,7 @@ using Triangles = std::vector<Triangle<double>>;
 /// Writes all bytes; false where the reader is gone.
 bool write_all(int to, std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
-    const ssize_t written = write(to, bytes.data(), bytes.size());
+    const ssize_t written = ::write(to, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) return false;
     bytes = bytes.subspan(static_cast<std::size_t>(written));
@@ -63,7 +63,7 @@ Triangles read_all(int from) {
   std::vector<std::byte> bytes;
   std::array<std::byte, 65536> block{};
   for (;;) {
-    const ssize_t got = read(from, block.data(), block.size());
+    const ssize_t got = ::read(from, block.data(), block.size());
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0) break;
     bytes.insert(bytes.end(), block.begin(), block.begin() + got);
