@@ -21,7 +21,6 @@ struct Measured {
   double residual = 0;    ///< how far the answer misses its equation
 };
 
-/// One case, answered.
 struct CaseReport {
   Case one;
   Answer exact;
@@ -57,11 +56,7 @@ struct CaseReport {
 /// One plain sentence, sometimes two: how far off the answer is, or where its digits were lost; and where an
 /// answer is wrong though none were, why.
 [[nodiscard]] std::string conclusion_of(const CaseReport& report);
-
-/// The explanation for a terminal, in UTF-8.
 [[nodiscard]] std::string explain_text(const CaseReport& report);
-
-/// The same as one line of JSON.
 [[nodiscard]] std::string explain_json(const CaseReport& report);
 
 /// The t or x of the answer, ascending; none for a missing answer.

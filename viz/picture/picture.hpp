@@ -80,12 +80,10 @@ struct Picture {
 /// With minus signs where a hyphen stands for one: "n·(p - o) = -3.5", but not in "half-open" nor "1e-4".
 [[nodiscard]] std::string typeset(const std::string& text);
 
-/// Writes a line of text into a picture.
 inline void add_text(Picture& picture, Role role, const Point& at, const std::string& text, double size,
                      bool is_bold = false, Anchor anchor = Anchor::start) {
   picture.elements.emplace_back(Text{role, at, typeset(text), anchor, size, is_bold});
 }
-/// Draws a line around a box.
 inline void add_frame(Picture& picture, Role role, const PixelBox& b, double width) {
   const Point low{b.left, b.bottom()}, high{b.right(), b.top};
   picture.elements.emplace_back(PixelLine{role, {low, {low.x, high.y}, high, {high.x, low.y}, low}, width});
@@ -133,7 +131,6 @@ inline constexpr std::array<RoleColour, role_count> palette{{
   return palette[static_cast<std::size_t>(role)];
 }
 
-/// The floor below a scene in space.
 struct FloorColours {
   RoleColour ground{"ground", "#f4f5f7", "#1d2026"};
   RoleColour grid{"grid", "#d1d6de", "#343a44"};
@@ -157,8 +154,6 @@ inline constexpr double area_opacity = 0.13;
 [[nodiscard]] std::string role_style(const std::string& scope);
 
 inline constexpr const char* xml_head = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
-
-/// The parts of a line inside the box.
 [[nodiscard]] std::vector<std::vector<Point>> clip_line(const std::vector<Point>& line, const PixelBox& box);
 
 /// The part of an area inside the box; by the even-odd rule the same is filled there. Nothing of one with a

@@ -19,7 +19,6 @@
 
 namespace rayproof::viz {
 
-/// Rounds coordinates that moved.
 class Rounding {
  public:
   /// `resolution` is how far apart two places are that can just be distinguished.

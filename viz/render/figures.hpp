@@ -22,7 +22,6 @@ class Figures {
 
   /// Intersects every figure with every ray; `nearest` has one element for each of them.
   virtual void meet_all(std::span<const Ray<T>> rays, std::span<Nearest<T>> nearest) const = 0;
-  /// Intersects one figure with one ray.
   virtual void meet(std::size_t figure, const Ray<T>& ray, Nearest<T>& nearest) const = 0;
 };
 
@@ -58,7 +57,6 @@ struct FigureKind {
 /// Every shape that a ray can meet, in the order of the registries.
 [[nodiscard]] const std::vector<FigureKind>& figure_kinds();
 
-/// All figures of a scene, by shape.
 template <class T>
 class AllFigures {
  public:

@@ -51,7 +51,6 @@ struct HitImage {
   }
 };
 
-/// How the work is done.
 struct Work {
   int jobs = 0;                             ///< threads; 0 for as many as the machine has
   const std::atomic<bool>* stop = nullptr;  ///< ends the work where it becomes true
@@ -122,7 +121,6 @@ inline constexpr int tile_side = 32;
 /// The tiles of an image by rows: every pixel is in one of them, and in only one.
 [[nodiscard]] std::vector<Tile> tiles_of(int width, int height);
 
-/// Calls `body(x, y)` for each pixel of a tile, by rows.
 template <class Body>
 void for_each_pixel(const Tile& tile, Body&& body) {
   for (int y = tile.top; y < tile.bottom; ++y) {
@@ -133,7 +131,6 @@ void for_each_pixel(const Tile& tile, Body&& body) {
 /// Calls `body` for each tile, on several threads. Throws Stopped.
 void for_each_tile(int width, int height, const Work& work, const std::function<void(const Tile&)>& body);
 
-/// Calls `body(x, y)` for each pixel of an image, tile by tile.
 template <class Body>
 void for_each_pixel(int width, int height, const Work& work, Body&& body) {
   for_each_tile(width, height, work, [&](const Tile& tile) { for_each_pixel(tile, body); });

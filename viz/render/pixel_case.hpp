@@ -6,7 +6,6 @@
 
 namespace rayproof::render {
 
-/// What a pixel sees.
 struct PixelHits {
   ObjectIndex exact = no_object;    ///< the nearest object in truth
   ObjectIndex claimed = no_object;  ///< the nearest object by the methods

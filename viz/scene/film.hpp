@@ -11,10 +11,8 @@
 
 namespace rayproof::viz {
 
-/// Pictures a second.
 inline constexpr int film_rate = 8;
 
-/// A picture of a film.
 struct Shot {
   std::size_t step = 0;
   double t = 0;             ///< where p(t) is, where the step shows it

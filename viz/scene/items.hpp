@@ -17,7 +17,6 @@ namespace rayproof::viz {
 
 using Items = std::vector<StageItem>;
 
-/// Puts more of them behind the others.
 template <class T>
 void append(std::vector<T>& list, const std::vector<T>& more) {
   list.insert(list.end(), more.begin(), more.end());
@@ -71,7 +70,6 @@ class NumbersByName {
 
   [[nodiscard]] bool has(const std::string& name) const { return exact_.contains(name); }
   [[nodiscard]] double operator[](const std::string& name) const;
-  /// The same as it was rounded.
   [[nodiscard]] double rounded(const std::string& name) const;
   /// The vector name.x, name.y, name.z; z is 0 of one that the kernel has in a plane.
   [[nodiscard]] glm::dvec3 vector(const std::string& name) const;
@@ -103,15 +101,11 @@ struct Binding {
 
 /// How a topic's named values look.
 [[nodiscard]] const std::vector<Binding>& bindings_of(const std::string& topic);
-
-/// The point of an ellipsoid that lies farthest in a direction.
 [[nodiscard]] glm::dvec3 farthest_of(const StageItem& ellipsoid, const glm::dvec3& direction);
 
 /// How far an item reaches: its points, and of an ellipsoid the points of its outline that lie farthest to
 /// each side as the camera sees it.
 [[nodiscard]] std::vector<glm::dvec3> extent_of(const StageItem& item, const StageCamera& camera);
-
-/// How far all of them reach.
 [[nodiscard]] std::vector<glm::dvec3> extent_of(const std::vector<StageItem>& items,
                                                 const StageCamera& camera);
 

@@ -28,8 +28,6 @@ struct SpaceFloor {
 
 /// How far the floor reaches to each side, in the view's radii.
 inline constexpr double floor_reach = 5;
-
-/// Below the lowest of the points.
 [[nodiscard]] SpaceFloor floor_below(const std::vector<glm::dvec3>& points, const glm::dvec3& up,
                                      const StageView& view);
 
@@ -72,7 +70,6 @@ struct SpaceCamera {
 
 using SpacePoints = std::vector<glm::dvec3>;
 
-/// A cone at an arrow's end.
 struct ArrowHead {
   glm::dvec3 base{};
   glm::dvec3 tip{};

@@ -132,7 +132,6 @@ struct StageCamera {
   bool is_flat = false;        ///< the scene is a drawing in the plane of right and up: nothing to orbit
 };
 
-/// The staged walkthrough of one case.
 struct Stage {
   std::string name;      ///< of the lesson, "far-sphere"; of any other case the method with a dash
   std::string title;     ///< "A sphere, from the ray point nearest its centre"

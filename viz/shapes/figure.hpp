@@ -80,7 +80,6 @@ struct Figure {
 /// A box or parallelepiped. Edges of length 0 are allowed.
 [[nodiscard]] Figure solid_figure(const Place& corner, const std::array<Place, 3>& edges);
 
-/// The question in the world.
 struct RayScene {
   Sight sight;
   Figure figure;
@@ -91,7 +90,6 @@ struct RayScene {
 };
 [[nodiscard]] RayScene scene_of(const Case& one, const Answer* exact, const Answer* claimed);
 
-/// Where the ray passes nearest to the outline.
 struct NearestPass {
   const Border* border;  ///< of the scene's figure
   Shadow t;

@@ -11,7 +11,6 @@ namespace rayproof::viz {
 
 /// The shortest decimal that reads back as the same number of the precision; "∞", "−∞", "NaN".
 [[nodiscard]] std::string shown(double value, Precision precision);
-/// The same of each component.
 [[nodiscard]] std::string shown(const glm::dvec3& v, Precision precision);
 /// A number in real arithmetic, beside `value`, which is it rounded to a format of `bits` bits: float or
 /// double. Where the two are equal, the shortest decimal that reads back as the same double. Else 12 digits
@@ -23,7 +22,6 @@ namespace rayproof::viz {
 [[nodiscard]] std::string rough(const Shadow& value, int digits = 3);
 /// What a drawing at `times` the size of the thing says of itself: "Magnified ×20", "Reduced to 1/20".
 [[nodiscard]] std::string scale_in_words(const Shadow& times);
-/// A subscript: ₀, ₁, …
 [[nodiscard]] std::string subscript(std::size_t index);
 /// How many numbers of the precision lie from `a` to `b`, 0 and -0 being one: counted in integers, and the
 /// count rounded once to double (exact up to 2^53). Infinite where one is NaN, or where one of two different

@@ -28,14 +28,10 @@ using Tape = Recording<Shadow>;
 /// `least_bits` bits or more.
 [[nodiscard]] std::optional<PrecisionLoss> find_decisive_loss(const Tape& tape, OperationId result,
                                                               double least_bits);
-
-/// Names the loss of one operation.
 [[nodiscard]] PrecisionLoss describe_loss(const Tape& tape, OperationId id);
 
 /// Losses below this many bits are the everyday rounding of a few operations.
 inline constexpr double noteworthy = 3;
-
-/// The operations of a step, from 0.
 [[nodiscard]] std::vector<OperationId> operations_of_step(const Tape& tape, std::ptrdiff_t step);
 
 /// The operations of the number's own formula, itself first: from it back to numbers that have a name, to

@@ -14,7 +14,6 @@
 
 namespace rayproof::viz {
 
-/// An operation with a significant loss of precision.
 struct PrecisionLoss {
   std::string step;           ///< the step's title
   std::string kind;           ///< "subtraction", "addition", "multiplication", …

@@ -31,8 +31,6 @@ Rgb mean_of_four(const Raster& raster, int x, int y) {
   return mean;
 }
 
-constexpr PixelBox still_frame{0, 0, 640, 640 / view_aspect};
-
 std::string jpeg_of(const Raster& picture) {
   vtkNew<vtkJPEGWriter> writer;
   writer->SetInputData(image_of(picture));
@@ -49,11 +47,11 @@ std::string jpeg_of(const Raster& picture) {
 
 }  // namespace
 
-Raster SlideCanvas::draw(const Stage& stage, std::size_t step, bool is_fine) {
+Raster draw_slide(PictureCanvas& canvas, const Stage& stage, std::size_t step, double width, bool is_fine) {
   const PixelBox scene = slide_scene_of(stage.steps.at(step));
   Picture sheet = slide_frame(stage, step, stage.title, scene);
   draw_legend(sheet, stage, step);
-  return canvas_.draw(sheet, {{&stage, step, scene}}, width_ / slide_width, is_fine);
+  return canvas.draw(sheet, {{&stage, step, scene}}, width / slide_width, is_fine);
 }
 
 Raster contact_sheet(const std::vector<Raster>& slides) {
@@ -75,10 +73,8 @@ Raster contact_sheet(const std::vector<Raster>& slides) {
 }
 
 std::string still_of(PictureCanvas& canvas, const Stage& stage, std::size_t step) {
-  Picture labels;
-  labels.width = still_frame.width;
-  labels.height = still_frame.height;
-  const Raster picture = canvas.draw(labels, {{&stage, step, still_frame}}, 1);
+  constexpr PixelBox frame{0, 0, 640, 640 / view_aspect};
+  const Raster picture = canvas.draw({frame.width, frame.height}, {{&stage, step, frame}}, 1);
   return fmt::format("<img width=\"{}\" height=\"{}\" alt=\"{}\" src=\"data:image/jpeg;base64,{}\">",
                      picture.width, picture.height, escaped(stage.steps[step].caption), jpeg_of(picture));
 }

@@ -15,20 +15,9 @@ class vtkOggTheoraWriter;
 
 namespace rayproof::viz {
 
-/// An off-screen window in which slides are drawn one after another. Needs a display (OffscreenDisplay) that
-/// outlives it.
-class SlideCanvas {
- public:
-  /// Pictures of this width, 16 by 9.
-  explicit SlideCanvas(int width = 1600) : width_(width) {}
-
-  /// The step; where it need not be drawn with care, in half the time.
-  [[nodiscard]] Raster draw(const Stage& stage, std::size_t step, bool is_fine = true);
-
- private:
-  int width_;
-  PictureCanvas canvas_{};
-};
+/// The step as a slide of this width, 16 by 9; where it need not be drawn with care, in half the time.
+[[nodiscard]] Raster draw_slide(PictureCanvas& canvas, const Stage& stage, std::size_t step,
+                                double width = 1600, bool is_fine = true);
 
 /// Slides side by side, at half their size, all of one size.
 [[nodiscard]] Raster contact_sheet(const std::vector<Raster>& slides);

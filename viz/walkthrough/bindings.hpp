@@ -24,7 +24,6 @@ namespace rayproof::viz {
 /// "W > 0": the sign of a number as the kernel has it.
 [[nodiscard]] std::string with_sign(const char* name, const NumbersByName& n);
 
-/// A topic's name and its table.
 struct TopicBindings {
   const char* topic;
   std::vector<Binding> (*table)();
@@ -44,8 +43,6 @@ inline constexpr TopicBindings topic_bindings[] = {
 
 /// A vector at right angles to `v`, of the same length.
 [[nodiscard]] glm::dvec3 across(const glm::dvec3& v);
-
-/// The ray's direction, drawn from its origin.
 [[nodiscard]] Items direction_arrow(const NumbersByName& n);
 
 /// The chord of a round shape, as the centred methods have it: t_c in its middle, h to either side.

@@ -25,7 +25,6 @@ template <class Run>
   });
 }
 
-/// The ray with its origin and direction by name.
 template <class R>
 [[nodiscard]] Ray<R> named_ray(const Ray<double>& given) {
   Ray<R> ray = convert<R>(given);
@@ -34,7 +33,6 @@ template <class R>
   return ray;
 }
 
-/// A point of a plane by name.
 template <class R>
 [[nodiscard]] Vec2<R> named_point(const std::string& name, const Vec2<double>& p) {
   return {named((name + ".x").c_str(), R(p.x)), named((name + ".y").c_str(), R(p.y))};

@@ -45,8 +45,6 @@ struct Lesson {
 
 /// The lessons of that name, or of that group, or all of them for "all"; none where there is no such topic.
 [[nodiscard]] std::vector<const Lesson*> lessons_of(std::string_view topic);
-
-/// The stage of a lesson, made from its own case.
 [[nodiscard]] Stage stage_of(const Lesson& lesson, const ReportCase& report_on);
 
 /// lessons/lessons.json, put into the program when it is configured.
@@ -60,7 +58,6 @@ Compose barycentric_stage, parity_stage, printed_stage, polygon_stage, segment_s
 Compose digits_stage, leak_stage, leaving_stage, acne_stage, map_stage, test_stage;
 Compose intervals_stage, transformed_stage, normal_stage, torus_stage, patch_stage;
 
-/// A lesson by its name, and what composes it.
 struct Composer {
   std::string_view lesson;
   Compose* compose;

@@ -35,7 +35,6 @@ struct CloseUp {
   Items items{};        ///< in the plane of the camera, around 0
 };
 
-/// The place of a stage's steps.
 struct Setting {
   Items scene{};
   StageCamera camera{};
@@ -93,8 +92,6 @@ struct ParabolaFrame {
 
 /// The setting with what the space has of its own.
 [[nodiscard]] Setting in_space(Setting setting, const StepSpace& space);
-
-/// The spaces in which the methods of triangles compute.
 [[nodiscard]] std::vector<StepSpace> triangle_spaces(const Walkthrough& walk, const StageCamera& camera);
 
 /// Lets a step show its space: the scene there, what earlier steps showed there in grey, and its own items.

@@ -79,7 +79,7 @@ void write_pngs(const std::vector<Walk>& walks, const std::string& folder, Progr
                        " names one picture");
   keep_on_interrupt();  // the picture under way is drawn
   const OffscreenDisplay display;
-  SlideCanvas canvas;
+  PictureCanvas canvas;
   make_folder(folder);
   std::size_t all = 0;
   for (const Walk& walk : walks) all += walk.stage.steps.size();
@@ -94,7 +94,7 @@ void write_pngs(const std::vector<Walk>& walks, const std::string& folder, Progr
       }
       const std::string name = fmt::format("{}-{}", stage.name, i + 1);
       progress.show(share(done++, all), fmt::format("picture {}.png", name));
-      slides.push_back(canvas.draw(stage, i));
+      slides.push_back(draw_slide(canvas, stage, i));
       write_png(slides.back(), path(name));
     }
     write_png(contact_sheet(slides), path(stage.name));
@@ -110,7 +110,7 @@ void write_movie(const std::vector<Walk>& walks, const std::string& path, Progre
   std::size_t done = 0;
   {
     const OffscreenDisplay display;
-    SlideCanvas canvas(1280);
+    PictureCanvas canvas;
     Movie movie(file.path(), film_rate);
     for (const auto& [group, stage] : walks) {
       for (const Shot& shot : shots_of(stage)) {
@@ -119,7 +119,7 @@ void write_movie(const std::vector<Walk>& walks, const std::string& path, Progre
           return print_to_stderr("rayproof walk: interrupted: no film is left\n");
         }
         progress.show(share(done++, all), fmt::format("film of {}, step {}", stage.name, shot.step + 1));
-        movie.add(canvas.draw(stage_at(stage, shot), shot.step, shot.count > 1), shot.count);
+        movie.add(draw_slide(canvas, stage_at(stage, shot), shot.step, 1280, shot.count > 1), shot.count);
       }
     }
   }

@@ -19,7 +19,6 @@ struct Object {
   std::size_t entry = 0;                  ///< index into the file's `shapes`; a mesh's triangles share one
 };
 
-/// What a scene file says.
 struct RenderScene {
   std::string file{};
   Precision precision = Precision::float64;

@@ -28,7 +28,6 @@ void check_size(const std::vector<ErrorPanel>& panels);
 /// (viz::OffscreenDisplay).
 [[nodiscard]] viz::Raster error_figure(const std::string& title, const std::vector<ErrorPanel>& panels);
 
-/// One panel of the figure, all of one size.
 struct ShadowPanel {
   std::string title{};
   viz::Raster picture{};
@@ -48,7 +47,6 @@ inline constexpr int least_panel = 420;
 /// Of the letters of titles and legend.
 inline constexpr double letter_size = 14;
 
-/// A pixel of a panel's image.
 struct PanelPixel {
   std::size_t panel = 0;
   int x = 0, y = 0;

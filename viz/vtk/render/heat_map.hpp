@@ -15,13 +15,11 @@ namespace rayproof::render {
 /// is wrong.
 using ErrorAt = std::function<double(const glm::dvec3& place)>;
 
-/// The words on it.
 struct HeatWords {
   std::string title{};
   std::string caption{};
 };
 
-/// What was found on the way.
 struct HeatTotals {
   std::size_t rays = 0;
   std::size_t wrong = 0;
