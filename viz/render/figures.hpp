@@ -94,10 +94,10 @@ class AllFigures {
 
 /// Intersects the rays with all objects, or with those in their neighbourhood.
 template <class T>
-[[nodiscard]] std::vector<Nearest<T>> meet(const AllFigures<T>& figures, const Neighbourhood* neighbourhood,
+[[nodiscard]] std::vector<Nearest<T>> meet(const AllFigures<T>& figures, const Neighbourhood& neighbourhood,
                                            std::span<const Ray<T>> rays) {
   std::vector<Nearest<T>> nearest(rays.size());
-  if (neighbourhood == nullptr) {
+  if (!neighbourhood) {
     figures.meet_all(rays, nearest);
     return nearest;
   }
@@ -106,7 +106,7 @@ template <class T>
       figures.meet(object, rays[i], nearest[i]);
       return static_cast<double>(nearest[i].t);
     };
-    neighbourhood->visit(convert<double>(rays[i]), ask);
+    neighbourhood(convert<double>(rays[i]), ask);
   }
   return nearest;
 }

@@ -77,10 +77,10 @@ inline constexpr std::size_t many_objects = 65;
 /// ray's origin.
 inline constexpr double method_margin = 0x1p-16;
 
-/// Hits by float methods in the scene's precision. `neighbourhood` may be null: then every object is tested
-/// against every ray. Throws Stopped.
+/// Hits by float methods in the scene's precision. With no neighbourhood every object is tested against every
+/// ray. Throws Stopped.
 [[nodiscard]] HitImage trace(const RenderScene& scene, const Methods& methods,
-                             const Neighbourhood* neighbourhood, const Work& work);
+                             const Neighbourhood& neighbourhood, const Work& work);
 
 /// The exact hits: of each pixel's rounded ray, t correctly rounded. Of two objects with the same rounded t
 /// it is the one that stands first in the scene. `neighbourhood` must leave out no object that the ray meets.
@@ -90,7 +90,7 @@ inline constexpr double method_margin = 0x1p-16;
 
 /// The same of a single pixel.
 [[nodiscard]] ObjectIndex nearest_at(const RenderScene& scene, const Methods& methods,
-                                     const Neighbourhood* neighbourhood, int x, int y);
+                                     const Neighbourhood& neighbourhood, int x, int y);
 [[nodiscard]] ObjectIndex exact_nearest_at(const RenderScene& scene, const Neighbourhood& neighbourhood,
                                            int x, int y);
 

@@ -1,6 +1,7 @@
 #include "viz/render/neighbourhood.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <rayproof/objects/bounds_tree.hpp>
 #ifdef RAYPROOF_HAS_EMBREE
 #include <rayproof/objects/embree_tree.hpp>
@@ -14,13 +15,13 @@ namespace {
 
 /// The objects' boxes in one of the library's trees; an object without a box is near every ray.
 template <class Tree>
-class NearInTree final : public Neighbourhood {
+class NearInTree {
  public:
   NearInTree(const RenderScene& scene, double margin) : margin_(margin), tree_(boxes_of(scene)) {
     if (!boxed_.empty()) reach_ = objects::reach_of(tree_.bounds());
   }
 
-  void visit(const Ray<double>& ray, const Meet& meet) const override {
+  void visit(const Ray<double>& ray, const Meet& meet) const {
     double nearest = HUGE_VAL;
     for (const ObjectIndex object : unbounded_) nearest = meet(object);
     tree_.visit(objects::with_margin(ray, margin_, reach_), nearest,
@@ -44,6 +45,12 @@ class NearInTree final : public Neighbourhood {
   double reach_ = 0;
 };
 
+template <class Tree>
+Neighbourhood near_in(const RenderScene& scene, double margin) {
+  return [tree = std::make_shared<NearInTree<Tree>>(scene, margin)](
+             const Ray<double>& ray, const Meet& meet) { tree->visit(ray, meet); };
+}
+
 }  // namespace
 
 std::optional<objects::Bounds> bounds_of(const Object& object) {
@@ -52,14 +59,13 @@ std::optional<objects::Bounds> bounds_of(const Object& object) {
   return kind == kinds.end() ? std::nullopt : kind->bounds(object);
 }
 
-std::unique_ptr<Neighbourhood> bounds_tree(const RenderScene& scene, double margin) {
-  return std::make_unique<NearInTree<objects::BoundsTree>>(scene, margin);
+Neighbourhood bounds_tree(const RenderScene& scene, double margin) {
+  return near_in<objects::BoundsTree>(scene, margin);
 }
 
-std::unique_ptr<Neighbourhood> embree_tree([[maybe_unused]] const RenderScene& scene,
-                                           [[maybe_unused]] double margin) {
+Neighbourhood embree_tree([[maybe_unused]] const RenderScene& scene, [[maybe_unused]] double margin) {
 #ifdef RAYPROOF_HAS_EMBREE
-  return std::make_unique<NearInTree<objects::EmbreeTree>>(scene, margin);
+  return near_in<objects::EmbreeTree>(scene, margin);
 #else
   return nullptr;
 #endif

@@ -3,7 +3,6 @@
 /// Which objects a ray may meet at all.
 
 #include <functional>
-#include <memory>
 #include <rayproof/objects/hull.hpp>
 
 #include "viz/render/scene/scene.hpp"
@@ -14,18 +13,9 @@ namespace rayproof::render {
 /// far, beyond which nothing matters.
 using Meet = std::function<double(ObjectIndex)>;
 
-/// Some structure over the objects of a scene.
-class Neighbourhood {
- public:
-  Neighbourhood() = default;
-  Neighbourhood(const Neighbourhood&) = delete;
-  Neighbourhood& operator=(const Neighbourhood&) = delete;
-  virtual ~Neighbourhood() = default;
-
-  /// Calls `meet` for every object whose box the ray meets, in any order, but for boxes that begin beyond the
-  /// nearest t so far.
-  virtual void visit(const Ray<double>& ray, const Meet& meet) const = 0;
-};
+/// Calls `meet` for every object whose box the ray meets, in any order, but for boxes that begin beyond the
+/// nearest t so far.
+using Neighbourhood = std::function<void(const Ray<double>& ray, const Meet& meet)>;
 
 /// A box around the object in the world: no point of the exact figure lies outside it. Nothing for a plane,
 /// or where a number is beyond what can be reasoned about.
@@ -33,9 +23,9 @@ class Neighbourhood {
 
 /// By the library's tree of boxes. With no margin it certainly leaves out no object that the exact ray meets;
 /// otherwise the boxes are larger by this part of the largest coordinates of boxes and ray's origin.
-[[nodiscard]] std::unique_ptr<Neighbourhood> bounds_tree(const RenderScene& scene, double margin = 0);
+[[nodiscard]] Neighbourhood bounds_tree(const RenderScene& scene, double margin = 0);
 
-/// The same by Embree. Null in a build without it.
-[[nodiscard]] std::unique_ptr<Neighbourhood> embree_tree(const RenderScene& scene, double margin);
+/// The same by Embree. None in a build without it.
+[[nodiscard]] Neighbourhood embree_tree(const RenderScene& scene, double margin);
 
 }  // namespace rayproof::render

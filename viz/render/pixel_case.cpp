@@ -3,13 +3,6 @@
 #include <fmt/format.h>
 
 namespace rayproof::render {
-namespace {
-
-std::string in_words(const RenderScene& scene, ObjectIndex object) {
-  return object == no_object ? "nothing" : object_name(scene, object);
-}
-
-}  // namespace
 
 std::string object_name(const RenderScene& scene, ObjectIndex object) {
   const std::size_t entry = scene.objects[object].entry;
@@ -23,19 +16,21 @@ std::string object_name(const RenderScene& scene, ObjectIndex object) {
 
 PixelHits hits_at(const RenderScene& scene, int x, int y, const Methods& methods) {
   const bool has_many = scene.objects.size() >= many_objects;
-  const auto near = has_many ? bounds_tree(scene, method_margin) : nullptr;
-  const auto exactly_near = bounds_tree(scene);
-  return {exact_nearest_at(scene, *exactly_near, x, y), nearest_at(scene, methods, near.get(), x, y)};
+  const Neighbourhood near = has_many ? bounds_tree(scene, method_margin) : nullptr;
+  return {exact_nearest_at(scene, bounds_tree(scene), x, y), nearest_at(scene, methods, near, x, y)};
 }
 
 Case pixel_case(const RenderScene& scene, int x, int y, ObjectIndex object, const PixelHits& hits) {
   const Object& asked = scene.objects[object];
+  const auto in_words = [&](ObjectIndex hit) {
+    return hit == no_object ? "nothing" : object_name(scene, hit);
+  };
   Case one;
   one.precision = scene.precision;
   one.note = fmt::format(
       "pixel ({}, {}) of {} at {}x{}, about {}: exactly the ray meets {} first, by the methods {}", x, y,
-      scene.file, scene.width, scene.height, object_name(scene, object), in_words(scene, hits.exact),
-      in_words(scene, hits.claimed));
+      scene.file, scene.width, scene.height, object_name(scene, object), in_words(hits.exact),
+      in_words(hits.claimed));
   one.question = RayQuestion{pixel_ray(scene, x, y), asked.shape, asked.transform};
   return one;
 }

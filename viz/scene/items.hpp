@@ -36,6 +36,12 @@ void append(std::vector<T>& list, const std::vector<T>& more) {
 [[nodiscard]] inline StageItem polygon(Role role, std::vector<glm::dvec3> corners, std::string label = {}) {
   return {role, Form::polygon, std::move(corners), std::move(label)};
 }
+/// The same with a line around it.
+[[nodiscard]] inline Items outlined(Role role, std::vector<glm::dvec3> corners, std::string label = {}) {
+  StageItem ring{role, Form::polyline, corners};
+  ring.points.push_back(corners.front());
+  return {polygon(role, std::move(corners), std::move(label)), std::move(ring)};
+}
 /// What of an endless surface the view shows.
 [[nodiscard]] inline StageItem open_polygon(Role role, std::vector<glm::dvec3> corners) {
   StageItem item = polygon(role, std::move(corners));

@@ -9,7 +9,6 @@
 #include "case/json/number_text.hpp"
 #include "case/reader.hpp"
 #include "case/reader/shape_reader.hpp"
-#include "viz/render/scene/scene_parts.hpp"
 
 namespace rayproof::render {
 namespace {

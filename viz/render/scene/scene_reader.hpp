@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "case/json/text.hpp"
+#include "case/reader/field.hpp"
 #include "viz/render/scene/scene.hpp"
 
 namespace rayproof::render {
@@ -34,6 +36,14 @@ inline constexpr int largest_side = 16384;
 /// value.
 [[nodiscard]] RenderScene read_scene(const std::filesystem::path& file, const ReadMesh& read_mesh,
                                      const SceneOverrides& overrides = {});
+
+/// The camera of an object with `eye`, `center`, `up`, `fov_x` and `fov_y`, rounded to the precision, in
+/// which its axes are sure to be numbers. Throws Refusal.
+[[nodiscard]] Camera<double> read_camera(const Field& object, Precision precision);
+
+/// The text at a path as `Field::path` writes it ("shapes[3].shape.radius"), shortened where it is long;
+/// empty for an object, and where nothing stands there.
+[[nodiscard]] std::string value_at(const json::Document& document, std::string_view path);
 
 /// The triangles of an OFF file ("OFF", the numbers of vertices, faces and edges, the vertices, the faces; #
 /// begins a comment; what follows a vertex's or face's numbers on its line, a colour say, is passed over). A

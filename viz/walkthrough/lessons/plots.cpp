@@ -91,13 +91,12 @@ Stage barycentric_stage(const Case& one, const ReportCase& report_on) {
   const glm::dvec3 q{question.ray.origin.x, question.ray.origin.y, 0};
   setting.scene.push_back(point(Role::nearest, q, "q"));
   const auto part = [=](const char* name, const glm::dvec3& first, const glm::dvec3& u, const glm::dvec3& v) {
-    return Binding{
-        name, [=](const NumbersByName& n) {
-          const bool is_whole = std::string_view(name) == "D";
-          const std::string label =
-              is_whole ? "D/2 = " + rough(n[name] / 2, 3) : fmt::format("{} = {}", name, rough(n[name], 3));
-          return Items{polygon(Role::edge, {first, u, v}, label), polyline(Role::edge, {first, u, v, first})};
-        }};
+    return Binding{name, [=](const NumbersByName& n) {
+                     const bool is_whole = std::string_view(name) == "D";
+                     const std::string label = is_whole ? "D/2 = " + rough(n[name] / 2, 3)
+                                                        : fmt::format("{} = {}", name, rough(n[name], 3));
+                     return outlined(Role::edge, {first, u, v}, label);
+                   }};
   };
   setting.bindings = {part("D", triangle.a, triangle.b, triangle.c), part("α", q, triangle.b, triangle.c),
                       part("β", q, triangle.c, triangle.a), part("γ", q, triangle.a, triangle.b)};

@@ -26,7 +26,7 @@ struct LoopSphere {
 constexpr std::array<LoopSphere, 2> balls{{{{0, 0, 0.2}, 0.75, "first"}, {{1.2, -0.4, 0.6}, 0.4, "second"}}};
 
 Ray<double> ray_of_pixel(int i, int j) {
-  return camera::PixelCentre::ray(eye(), camera::axes(eye()), ImageSize<double>{width, height},
+  return camera::PixelCentre::ray(eye, camera::axes(eye), ImageSize<double>{width, height},
                                   static_cast<double>(i), static_cast<double>(j));
 }
 
@@ -112,7 +112,7 @@ Stage loop_stage(const Case& one, const ReportCase& report_on) {
   const Ray<double>& ray = std::get<RayQuestion>(one.question).ray;
   setting.scene = grid();
   for (const LoopSphere& each : balls) setting.scene.push_back(ball(each.center, each.radius));
-  setting.scene.push_back(point(Role::ray, eye().eye, "eye"));
+  setting.scene.push_back(point(Role::ray, eye.eye, "eye"));
   setting.camera = behind_the_eye(20);
   const StageView view = view_of(extent_of(setting.scene, setting.camera), setting.camera);
   setting.near = setting.wide = view;

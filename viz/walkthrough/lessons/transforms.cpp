@@ -110,9 +110,7 @@ Stage normal_stage(const Case& one, const ReportCase& report_on) {
   const glm::dvec3 normal = *std::get<RayAnswer>(report.exact).normal;
   const glm::dvec3 u = 0.7 * across(normal);
   const glm::dvec3 v = glm::cross(normal, u);
-  append(stage.steps.at(3).items,
-         {polygon(Role::edge, {hit + u + v, hit + u - v, hit - u - v, hit - u + v}),
-          polyline(Role::edge, {hit + u + v, hit + u - v, hit - u - v, hit - u + v, hit + u + v})});
+  append(stage.steps.at(3).items, outlined(Role::edge, {hit + u + v, hit + u - v, hit - u - v, hit - u + v}));
   return stage;
 }
 
