@@ -116,9 +116,9 @@ viz::Raster shadow_figure(const std::vector<ShadowPanel>& panels) {
            "red: acne, dark though the light is seen; yellow: a leak, lit through something", 11);
   viz::Raster canvas = viz::PictureCanvas().draw(picture);
   for (std::size_t i = 0; i < panels.size(); ++i) {
-    const viz::Raster& picture = panels[i].picture;
-    paint(canvas, {left_of(i), top_of(i)}, picture.width, picture.height,
-          [&](int x, int y) { return picture.at(x, y); });
+    const viz::Raster& shown = panels[i].picture;
+    paint(canvas, {left_of(i), top_of(i)}, shown.width, shown.height,
+          [&](int x, int y) { return shown.at(x, y); });
   }
   return canvas;
 }
