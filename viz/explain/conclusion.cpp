@@ -34,7 +34,6 @@ std::string accuracy_of(const CaseReport& report) {
   return values_of(&report.exact).empty() ? "the exact one" : accuracy_in_words(ulps_of(report));
 }
 
-/// Of a method without steps to show.
 std::string without_steps(const CaseReport& report) {
   const bool differ = verdicts_differ(&report.exact, report.claim());
   std::string text = fmt::format("{} can't be recorded step by step; its answer is {}.", report.method,

@@ -112,7 +112,6 @@ class Painter {
     if (frame_.holds(at)) picture_.elements.emplace_back(Mark{shown_role(shown), mark_of(item.role), at});
   }
 
-  /// As it is seen, in pixels.
   [[nodiscard]] std::vector<Point> outline_of(const StageItem& item) const {
     return to_pixels(item.form == Form::ellipsoid ? surface_outline(item, camera_).seen.front()
                                                   : item.points);

@@ -67,7 +67,7 @@ struct SurfaceOutline {
 
 /// All but the scenes: a headline, a frame for each view, and a table of the answers below them.
 struct CaseSheet {
-  Stage stage{};                   ///< its steps are the views (viz/walkthrough/stage_of.hpp)
+  Stage stage{};                   ///< its steps are the views (viz/walkthrough/lesson.hpp)
   std::vector<PixelBox> frames{};  ///< where each is to be drawn
   Picture picture{};
 };

@@ -11,7 +11,7 @@
 #include "viz/flat/stage_picture.hpp"
 #include "viz/page/script/embedded.hpp"
 #include "viz/picture/picture.hpp"
-#include "viz/walkthrough/stage_of.hpp"
+#include "viz/walkthrough/lesson.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -57,7 +57,6 @@ std::string slider(const Stage& stage) {
                      fmt::arg("finer", is_float ? "in double" : ""));
 }
 
-/// A button for each step.
 std::string buttons(const Stage& stage) {
   std::string all;
   for (std::size_t i = 1; i <= stage.steps.size(); ++i) {

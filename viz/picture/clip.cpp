@@ -20,7 +20,6 @@ std::array<HalfPlane, 4> sides_of(const PixelBox& box) {
   return {{{-1, 0, -box.left}, {1, 0, box.right()}, {0, -1, -box.top}, {0, 1, box.bottom()}}};
 }
 
-/// What rounding has put beside the box.
 Point into(const Point& p, const PixelBox& box) {
   return {std::clamp(p.x, box.left, box.right()), std::clamp(p.y, box.top, box.bottom())};
 }

@@ -110,9 +110,9 @@ struct RoleColour {
   const char* dark;   ///< on near-black
 };
 
-/// One colour for each role, in their order: safe for colour-blind readers (M. Okabe, K. Ito, "Color Universal
-/// Design", 2008), darkened or lightened where needed to contrast 4.5:1 or more as text, and as a label's
-/// large text 3:1 or more before a surface.
+/// One colour for each role, in their order: safe for colour-blind readers (M. Okabe, K. Ito, "Color
+/// Universal Design", 2008), darkened or lightened where needed to contrast 4.5:1 or more as text, and as a
+/// label's large text 3:1 or more before a surface.
 inline constexpr std::array<RoleColour, role_count> palette{{
     {"background", "#ffffff", "#16181c"},
     {"frame", "#b8bec6", "#4a515c"},

@@ -1,5 +1,3 @@
-/// \file
-/// What the keys do.
 #include <algorithm>
 #include <array>
 

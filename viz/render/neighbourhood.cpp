@@ -1,4 +1,4 @@
-#include "viz/render/neighbourhood.hpp"
+#include "viz/render/hits.hpp"
 
 #include <algorithm>
 #include <memory>

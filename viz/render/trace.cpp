@@ -1,6 +1,3 @@
-/// \file
-/// Hits by float methods.
-
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>

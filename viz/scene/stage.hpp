@@ -8,7 +8,7 @@
 /// bit for bit: what a value holds is what the same kernel computes in plain `float` or `double`.
 ///
 ///     const CaseReport report = report_of(one, "sphere/centred");  // viz/programs/report_of.hpp
-///     const Stage stage = stage_of(report);                        // viz/walkthrough/stage_of.hpp
+///     const Stage stage = stage_of(report);                        // viz/walkthrough/lesson.hpp
 ///     for (const StageStep& step : stage.steps) …                  // what to show, and from where
 
 #include <array>

@@ -64,7 +64,6 @@ double magnitude(const Tape& tape, OperationId id) {
   return id == unrecorded ? 0 : std::abs(tape.at(id).value);
 }
 
-/// What kind of sum it is, and what became of its operands.
 bool cancels(const Tape& tape, const Operation<Shadow>& o) {
   const bool is_sum =
       o.op == Operator::add || o.op == Operator::subtract || o.op == Operator::fused_multiply_add;

@@ -8,8 +8,8 @@
 #include "viz/explain/case_report.hpp"
 #include "viz/scene/items.hpp"
 #include "viz/trace/numbers.hpp"
+#include "viz/walkthrough/lesson.hpp"
 #include "viz/walkthrough/setting.hpp"
-#include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -1,4 +1,4 @@
-#include "viz/walkthrough/stage_of.hpp"
+#include "viz/walkthrough/lesson.hpp"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,6 @@
 #include "case/reader.hpp"
 #include "case/reader/field.hpp"
 #include "viz/walkthrough/compose.hpp"
-#include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -144,7 +144,6 @@ StepSpace object_space_of(const CaseReport& report, const Setting& setting, cons
           [items](const NumbersByName& /*n*/) { return items; }, [](const glm::dvec3& p) { return p; }};
 }
 
-/// The spaces in which a run computes.
 std::vector<StepSpace> spaces_of(const CaseReport& report, const Setting& setting) {
   std::vector<StepSpace> spaces;
   if (!report.walk) return spaces;

@@ -1,4 +1,4 @@
-#include "viz/walkthrough/stage_of.hpp"
+#include "viz/walkthrough/lesson.hpp"
 
 #include <fmt/format.h>
 
@@ -53,7 +53,6 @@ std::string name_of(const CaseReport& report) {
   return name;
 }
 
-/// All but the steps.
 Stage bare_stage(const CaseReport& report, const Setting& setting) {
   Stage stage;
   stage.name = name_of(report);

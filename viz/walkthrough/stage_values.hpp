@@ -27,8 +27,6 @@ void put_numbers_in(StageValue& value, Precision precision);
 
 /// The exact number as exact_beside writes it; a vector's in parentheses.
 [[nodiscard]] std::string exact_of(const StageValue& value);
-
-/// The component that has lost most.
 [[nodiscard]] const WalkValue& worst_component(const StageValue& value);
 
 /// What the values' own formulas lost, whatever else their step lost in other parts.
@@ -46,7 +44,6 @@ void put_numbers_in(StageValue& value, Precision precision);
 /// How many letters a text has; combining marks are none.
 [[nodiscard]] std::size_t letters_of(const std::string& text);
 
-/// One quantity at the slider's place.
 struct LiveValue {
   std::string label;    ///< "p(t)"
   std::string rounded;  ///< operation by operation in the case's precision: the shortest decimal of it
@@ -56,8 +53,6 @@ struct LiveValue {
 /// The numbers at `t`, a number of the case's precision. The point is `origin + t·direction`, rounded as
 /// rayproof::point_at rounds it; a readout is its polynomial by Horner's rule.
 [[nodiscard]] std::vector<LiveValue> live_values(const StageSlider& slider, double t, Precision precision);
-
-/// The point as the precision has it.
 [[nodiscard]] glm::dvec3 point_on(const StageSlider& slider, double t, Precision precision);
 
 /// The number of the precision `count` places after t (before it, where negative).

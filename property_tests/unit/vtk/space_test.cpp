@@ -19,7 +19,6 @@
 #include "viz/vtk/space/geometry.hpp"
 #include "viz/vtk/space/space_scene.hpp"
 #include "viz/walkthrough/lesson.hpp"
-#include "viz/walkthrough/stage_of.hpp"
 
 namespace {
 

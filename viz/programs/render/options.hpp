@@ -17,7 +17,6 @@ namespace rayproof::render {
 
 using viz::WrongCommand;
 
-/// What is asked for.
 enum class Mode { picture, exact_picture, error, compare, pixel, shadows };
 
 struct RenderOptions {

@@ -5,7 +5,7 @@
 #include "viz/programs/files.hpp"
 #include "viz/programs/report_of.hpp"
 #include "viz/vtk/slide_canvas.hpp"
-#include "viz/walkthrough/stage_of.hpp"
+#include "viz/walkthrough/lesson.hpp"
 
 namespace rayproof::render {
 

@@ -20,7 +20,6 @@
 namespace rayproof::render {
 namespace {
 
-/// One run of the program over its scene.
 class Render {
  public:
   Render(const RenderOptions& options, const std::atomic<bool>& stop)

@@ -12,7 +12,6 @@
 #include "viz/programs/report_of.hpp"
 #include "viz/scene/film.hpp"
 #include "viz/walkthrough/lesson.hpp"
-#include "viz/walkthrough/stage_of.hpp"
 
 #ifdef RAYPROOF_HAS_VTK
 #include "viz/vtk/offscreen_display.hpp"

@@ -34,7 +34,6 @@ double rounded(const Field& field, Precision precision, double x) {
   return number;
 }
 
-/// Reads `shapes`.
 class ObjectsReader {
  public:
   ObjectsReader(RenderScene& scene, const ReadMesh& read_mesh) : scene_(scene), read_mesh_(read_mesh) {}

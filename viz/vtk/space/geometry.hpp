@@ -51,9 +51,7 @@ inline constexpr int fine_sides = 16, coarse_sides = 6;
 [[nodiscard]] vtkSmartPointer<vtkPoints> points_of(const SpacePoints& points);
 /// Each a polyline.
 [[nodiscard]] Geometry lines_of(const std::vector<SpacePoints>& lines);
-/// Tubes around all lines of the geometry.
 [[nodiscard]] Geometry tubes_of(const Geometry& lines, double radius, int sides);
-/// An actor of the geometry in a colour.
 [[nodiscard]] vtkSmartPointer<vtkActor> actor_of(const Geometry& geometry, const RoleColour& colour);
 void set_colour(vtkProperty& property, const RoleColour& colour);
 /// What the source makes, under the transform.
@@ -64,8 +62,6 @@ struct Floor {
   vtkSmartPointer<vtkActor> grid;
   std::vector<vtkSmartPointer<vtkActor>> shadows;
 };
-
-/// The floor with the shadows of the actors.
 [[nodiscard]] Floor floor_under(const std::vector<vtkActor*>& actors, const SpaceFloor& place);
 
 }  // namespace rayproof::viz

@@ -18,7 +18,6 @@ class vtkRenderWindow;
 
 namespace rayproof::viz {
 
-/// Puts VTK's camera where the view's eye is.
 void set_camera(vtkCamera& camera, const SpaceCamera& view);
 
 /// Lets a window sort translucent surfaces; to be called before it renders.
@@ -46,7 +45,6 @@ class SpaceScene {
   /// Where an item is seen, in the pixels of a frame that the renderer's viewport fills; of a round surface
   /// the outline.
   [[nodiscard]] std::vector<Point> seen(const StageItem& item, const PixelBox& frame) const;
-  /// Whether it is a drawing in a plane.
   [[nodiscard]] bool is_flat() const { return space_.camera.is_flat; }
 
  private:

@@ -124,7 +124,6 @@ class StageWindow::Impl {
     compass->AddObserver(vtkCommand::EndInteractionEvent, this, &Impl::hear);
   }
 
-  /// The layers and widgets where the window's size has them.
   void fit() {
     view.fit();
     slider.fit();

@@ -47,8 +47,6 @@ struct Button {
 
 /// Back, each step, forth, and at the right the other walkthroughs, reset, help and quit.
 [[nodiscard]] std::vector<Button> buttons_of(const Player& player);
-
-/// The buttons' faces.
 void draw_buttons(Picture& sheet, const std::vector<Button>& buttons);
 
 class Buttons {

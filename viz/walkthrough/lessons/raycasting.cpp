@@ -9,7 +9,6 @@
 #include "viz/walkthrough/lesson.hpp"
 #include "viz/walkthrough/lessons/camera_image.hpp"
 #include "viz/walkthrough/setting.hpp"
-#include "viz/walkthrough/stage_of.hpp"
 #include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {
@@ -17,7 +16,6 @@ namespace {
 
 using namespace camera_image;
 
-/// What the loop knows of one sphere.
 struct LoopSphere {
   glm::dvec3 center;
   double radius;

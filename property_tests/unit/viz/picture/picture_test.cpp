@@ -18,7 +18,6 @@
 #include "viz/picture/picture.hpp"
 #include "viz/shapes/topics.hpp"
 #include "viz/walkthrough/lesson.hpp"
-#include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -10,8 +10,8 @@
 #include "unit/viz/stage_data.hpp"
 #include "viz/explain/case_report.hpp"
 #include "viz/walkthrough/compose.hpp"
+#include "viz/walkthrough/lesson.hpp"
 #include "viz/walkthrough/setting.hpp"
-#include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::viz {
 namespace {

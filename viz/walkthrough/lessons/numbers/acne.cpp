@@ -10,7 +10,6 @@
 #include "viz/walkthrough/bindings.hpp"
 #include "viz/walkthrough/lesson.hpp"
 #include "viz/walkthrough/setting.hpp"
-#include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -11,7 +11,6 @@
 #include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/compose.hpp"
 #include "viz/walkthrough/lesson.hpp"
-#include "viz/walkthrough/stage_of.hpp"
 #include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {
