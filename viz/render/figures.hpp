@@ -3,7 +3,8 @@
 /// Figures of one shape, met by one method in one precision (the choice is made once a tile, not once a ray),
 /// and all figures of a scene: what rays of any kind are asked of.
 
-#include <memory>
+#include <functional>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -12,18 +13,10 @@
 
 namespace rayproof::render {
 
+/// Intersects one of the figures, or every one, with every ray; `nearest` has one element for each of them.
 template <class T>
-class Figures {
- public:
-  Figures() = default;
-  Figures(const Figures&) = delete;
-  Figures& operator=(const Figures&) = delete;
-  virtual ~Figures() = default;
-
-  /// Intersects every figure with every ray; `nearest` has one element for each of them.
-  virtual void meet_all(std::span<const Ray<T>> rays, std::span<Nearest<T>> nearest) const = 0;
-  virtual void meet(std::size_t figure, const Ray<T>& ray, Nearest<T>& nearest) const = 0;
-};
+using Figures = std::function<void(std::optional<std::size_t> only, std::span<const Ray<T>> rays,
+                                   std::span<Nearest<T>> nearest)>;
 
 /// The objects of a scene that are of one shape.
 struct Members {
@@ -31,9 +24,9 @@ struct Members {
   std::vector<ObjectIndex> objects;
 };
 
-/// The method of that name over the objects; null where the shape has none of that name.
+/// The method of that name over the objects; none where the shape has none of that name.
 template <class T>
-using MakeFigures = std::unique_ptr<Figures<T>> (*)(std::string_view method, const Members& members);
+using MakeFigures = Figures<T> (*)(std::string_view method, const Members& members);
 
 /// What a shape brings to a scene.
 struct FigureKind {
@@ -78,10 +71,10 @@ class AllFigures {
   }
 
   void meet_all(std::span<const Ray<T>> rays, std::span<Nearest<T>> nearest) const {
-    for (const auto& group : groups_) group->meet_all(rays, nearest);
+    for (const Figures<T>& group : groups_) group({}, rays, nearest);
   }
   void meet(ObjectIndex object, const Ray<T>& ray, Nearest<T>& nearest) const {
-    groups_[places_[object].group]->meet(places_[object].figure, ray, nearest);
+    groups_[places_[object].group](places_[object].figure, {&ray, 1}, {&nearest, 1});
   }
 
  private:
@@ -89,7 +82,7 @@ class AllFigures {
     std::uint32_t group = 0, figure = 0;
   };
   std::vector<FigureIndex> places_;
-  std::vector<std::unique_ptr<Figures<T>>> groups_{};
+  std::vector<Figures<T>> groups_{};
 };
 
 /// Intersects the rays with all objects, or with those in their neighbourhood.
