@@ -65,6 +65,16 @@ std::string blame_of(const Walkthrough& walk) {
                              in_words(*walk.worst_loss));
 }
 
+/// A name that the steps have for the hit or root of this rank, whatever its value.
+std::string usual_root_name(const CaseReport& report, std::size_t rank) {
+  const std::string symbol = symbol_of(report.one), usual = symbol + subscript(rank);
+  if (!report.walk) return usual;
+  for (const std::string& name : {usual, std::string(rank == 0 ? "t_entry" : "t_exit"), symbol})
+    for (const WalkStep& step : report.walk->steps)
+      if (std::ranges::find(step.values, name, &WalkValue::name) != step.values.end()) return name;
+  return usual;
+}
+
 }  // namespace
 
 std::string in_words(const Measured& measured) {
@@ -81,20 +91,6 @@ std::string in_words(const Measured& measured) {
 std::string symbol_of(const Case& one) {
   return std::holds_alternative<RayQuestion>(one.question) ? "t" : "x";
 }
-
-namespace {
-
-/// A name that the steps have for the hit or root of this rank, whatever its value.
-std::string usual_root_name(const CaseReport& report, std::size_t rank) {
-  const std::string symbol = symbol_of(report.one), usual = symbol + subscript(rank);
-  if (!report.walk) return usual;
-  for (const std::string& name : {usual, std::string(rank == 0 ? "t_entry" : "t_exit"), symbol})
-    for (const WalkStep& step : report.walk->steps)
-      if (std::ranges::find(step.values, name, &WalkValue::name) != step.values.end()) return name;
-  return usual;
-}
-
-}  // namespace
 
 std::string root_name(const CaseReport& report, std::size_t rank) {
   const std::string usual = usual_root_name(report, rank);

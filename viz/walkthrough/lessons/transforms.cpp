@@ -32,23 +32,6 @@ StageStep back_in_the_world(const CaseReport& report, const NumbersByName& n, co
   return step;
 }
 
-}  // namespace
-
-/// Beside the world, the object's own space: the unit sphere and the ray as it sees it.
-Stage transformed_stage(const Case& one, const ReportCase& report_on) {
-  const CaseReport report = report_on(one, "sphere/centred");
-  Stage stage = stage_of(report);
-  const NumbersByName n(*report.walk, report.walk->steps.size() - 1);
-  show_beside(stage, "Take the ray into",
-              {ball({0, 0, 0}, 1), arrow(Role::ray, n.origin(), n.at(n["t₁"] * 1.25), "o′ + t·d"),
-               point(Role::ray, n.origin(), "o′"),
-               point(Role::text, -1.7 * stage.camera.up, "the object's own space")});
-  stage.steps.insert(stage.steps.end() - 1, back_in_the_world(report, n, stage));
-  return stage;
-}
-
-namespace {
-
 template <class R>
 void carry_normal(const RayQuestion& question, double t) {
   const auto [a, b, c, translation] = named_columns<R>(*question.transform);
@@ -75,6 +58,19 @@ void carry_normal(const RayQuestion& question, double t) {
 }
 
 }  // namespace
+
+/// Beside the world, the object's own space: the unit sphere and the ray as it sees it.
+Stage transformed_stage(const Case& one, const ReportCase& report_on) {
+  const CaseReport report = report_on(one, "sphere/centred");
+  Stage stage = stage_of(report);
+  const NumbersByName n(*report.walk, report.walk->steps.size() - 1);
+  show_beside(stage, "Take the ray into",
+              {ball({0, 0, 0}, 1), arrow(Role::ray, n.origin(), n.at(n["t₁"] * 1.25), "o′ + t·d"),
+               point(Role::ray, n.origin(), "o′"),
+               point(Role::text, -1.7 * stage.camera.up, "the object's own space")});
+  stage.steps.insert(stage.steps.end() - 1, back_in_the_world(report, n, stage));
+  return stage;
+}
 
 Stage normal_stage(const Case& one, const ReportCase& report_on) {
   const CaseReport report = report_on(one, "sphere/centred");
