@@ -12,8 +12,7 @@
 #ifdef RAYPROOF_HAS_VTK
 #include "viz/vtk/offscreen_display.hpp"
 #include "viz/vtk/picture_png.hpp"
-#include "viz/vtk/raster_png.hpp"
-#include "viz/vtk/render/heat_map.hpp"
+#include "viz/vtk/render/error_figure.hpp"
 #endif
 
 namespace {

@@ -14,7 +14,7 @@
 #include "case/answer.hpp"
 #include "case/case.hpp"
 #include "viz/scene/stage.hpp"
-#include "viz/trace/shadow.hpp"
+#include "viz/trace/numbers.hpp"
 
 namespace rayproof::viz {
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "viz/trace/expression.hpp"
-#include "viz/trace/shadow.hpp"
+#include "viz/trace/numbers.hpp"
 #include "viz/trace/walkthrough.hpp"
 
 namespace rayproof::viz {

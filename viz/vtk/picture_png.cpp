@@ -17,7 +17,6 @@
 
 #include "viz/picture/picture.hpp"
 #include "viz/scene/shown_items.hpp"
-#include "viz/vtk/raster_png.hpp"
 #include "viz/vtk/sheet/picture_item.hpp"
 #include "viz/vtk/space/space_scene.hpp"
 

@@ -1,4 +1,4 @@
-#include "viz/vtk/slide_canvas.hpp"
+#include "viz/vtk/picture_png.hpp"
 
 #include <fmt/format.h>
 #include <vtkBase64Utilities.h>
@@ -6,18 +6,21 @@
 #include <vtkJPEGWriter.h>
 #include <vtkNew.h>
 #include <vtkOggTheoraWriter.h>
+#include <vtkPNGWriter.h>
+#include <vtkRenderWindow.h>
 #include <vtkSmartPointer.h>
 #include <vtkUnsignedCharArray.h>
+#include <vtkWindowToImageFilter.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "case/escape.hpp"
+#include "case/files.hpp"
 #include "viz/flat/stage_picture.hpp"
 #include "viz/picture/picture.hpp"
-#include "viz/vtk/raster_png.hpp"
 
 namespace rayproof::viz {
-
 namespace {
 
 /// The mean of the pixels at (x, y) and to its right and below.
@@ -46,6 +49,45 @@ std::string jpeg_of(const Raster& picture) {
 }
 
 }  // namespace
+
+vtkSmartPointer<vtkImageData> image_of(const Raster& raster) {
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(raster.width, raster.height, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (int y = 0; y < raster.height; ++y) {
+    auto* row = static_cast<unsigned char*>(image->GetScalarPointer(0, raster.height - 1 - y, 0));
+    for (int x = 0; x < raster.width; ++x) row = std::copy_n(raster.at(x, y).data(), 3, row);
+  }
+  return image;
+}
+
+Raster pixels_of(vtkRenderWindow& window) {
+  window.Render();
+  vtkNew<vtkWindowToImageFilter> filter;
+  filter->SetInput(&window);
+  filter->SetInputBufferTypeToRGB();
+  filter->ReadFrontBufferOff();
+  filter->Update();
+  vtkImageData& image = *filter->GetOutput();
+  const int* const size = image.GetDimensions();
+  Raster raster(size[0], size[1], {});
+  for (int y = 0; y < raster.height; ++y) {
+    // VTK's first row is the lowest.
+    const auto* row = static_cast<const unsigned char*>(image.GetScalarPointer(0, raster.height - 1 - y, 0));
+    for (int x = 0; x < raster.width; ++x, row += 3) std::copy_n(row, 3, raster.at(x, y).begin());
+  }
+  return raster;
+}
+
+void write_png(const Raster& raster, const std::string& path) {
+  vtkNew<vtkPNGWriter> writer;  // to memory: it would delete a file that it fails to write
+  writer->WriteToMemoryOn();
+  writer->SetInputData(image_of(raster));
+  writer->Write();
+  vtkUnsignedCharArray& png = *writer->GetResult();
+  const auto size = static_cast<std::size_t>(png.GetNumberOfValues());
+  write_file(path, {reinterpret_cast<const char*>(png.GetPointer(0)), size});
+}
 
 Raster draw_slide(PictureCanvas& canvas, const Stage& stage, std::size_t step, double width, bool is_fine) {
   const PixelBox scene = slide_scene_of(stage.steps.at(step));

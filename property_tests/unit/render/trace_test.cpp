@@ -3,7 +3,7 @@
 #include "subjects/subject.hpp"
 #include "unit/render/scenes.hpp"
 #include "viz/render/errors.hpp"
-#include "viz/render/pixel_case.hpp"
+#include "viz/render/hits.hpp"
 
 namespace rayproof::render {
 namespace {

@@ -3,7 +3,7 @@
 /// What a window shows, pixel by pixel.
 
 #include "viz/picture/picture.hpp"
-#include "viz/vtk/raster_png.hpp"
+#include "viz/vtk/picture_png.hpp"
 #include "viz/vtk/window/stage_window.hpp"
 
 namespace rayproof::viz {

@@ -15,7 +15,7 @@
 #include "unit/viz/stage_data.hpp"
 #include "viz/scene/items.hpp"
 #include "viz/vtk/offscreen_display.hpp"
-#include "viz/vtk/slide_canvas.hpp"
+#include "viz/vtk/picture_png.hpp"
 #include "viz/vtk/space/geometry.hpp"
 #include "viz/vtk/space/space_scene.hpp"
 #include "viz/walkthrough/lesson.hpp"

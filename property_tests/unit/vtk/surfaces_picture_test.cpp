@@ -11,7 +11,7 @@
 
 #include "viz/picture/picture.hpp"
 #include "viz/picture/raster.hpp"
-#include "viz/vtk/raster_png.hpp"
+#include "viz/vtk/picture_png.hpp"
 
 namespace rayproof::viz {
 namespace {

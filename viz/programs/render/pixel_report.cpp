@@ -4,7 +4,7 @@
 #include "viz/page/page.hpp"
 #include "viz/programs/files.hpp"
 #include "viz/programs/report_of.hpp"
-#include "viz/vtk/slide_canvas.hpp"
+#include "viz/vtk/picture_png.hpp"
 #include "viz/walkthrough/lesson.hpp"
 
 namespace rayproof::render {

@@ -12,9 +12,8 @@
 #include "viz/programs/files.hpp"
 #include "viz/render/shading.hpp"
 #include "viz/vtk/offscreen_display.hpp"
-#include "viz/vtk/raster_png.hpp"
+#include "viz/vtk/picture_png.hpp"
 #include "viz/vtk/render/error_figure.hpp"
-#include "viz/vtk/render/error_window.hpp"
 #include "viz/vtk/render/mesh_reader.hpp"
 
 namespace rayproof::render {

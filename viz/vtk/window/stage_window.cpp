@@ -15,7 +15,7 @@
 #include "case/writer.hpp"
 #include "viz/flat/stage_picture.hpp"
 #include "viz/vtk/offscreen_display.hpp"
-#include "viz/vtk/raster_png.hpp"
+#include "viz/vtk/picture_png.hpp"
 #include "viz/vtk/window/widgets.hpp"
 
 namespace rayproof::viz {

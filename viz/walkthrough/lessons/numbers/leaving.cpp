@@ -5,7 +5,6 @@
 #include <rayproof/spawn.hpp>
 
 #include "viz/trace/numbers.hpp"
-#include "viz/trace/shadow.hpp"
 #include "viz/walkthrough/bindings.hpp"
 #include "viz/walkthrough/compose.hpp"
 #include "viz/walkthrough/lesson.hpp"

@@ -1,4 +1,4 @@
-#include "viz/vtk/slide_view.hpp"
+#include "viz/vtk/window/widgets.hpp"
 
 #include <vtkContextActor.h>
 #include <vtkContextScene.h>
