@@ -40,9 +40,6 @@ struct CaseReport {
 /// units".
 [[nodiscard]] std::string in_words(const Measured& measured);
 
-/// "t" or "x".
-[[nodiscard]] std::string symbol_of(const Case& one);
-
 /// What the method's run calls its hit or root of this rank, "t_entry"; "t₀" where it has no name for it.
 [[nodiscard]] std::string root_name(const CaseReport& report, std::size_t rank);
 

@@ -35,6 +35,12 @@ struct Widths {
   }
 };
 
+/// The value's formula as text; empty for none, and where the value's name is the same.
+std::string computed_as(const WalkValue& value) {
+  const std::string text = text_of(value.formula);
+  return text == value.name ? "" : text;
+}
+
 std::string row(const WalkValue& v, const Widths& widths, Precision precision) {
   std::string text = fmt::format(
       "   {}  {}  {}  {}  {}", padded(v.name, widths.name), padded(shown(v.value, precision), widths.value),

@@ -23,6 +23,12 @@ std::string in_script(std::string json) {
   return json;
 }
 
+/// Data for a script, with an id or without.
+std::string json_element(const std::string& id, const std::string& json) {
+  const std::string name = id.empty() ? "" : fmt::format(" id=\"{}\"", id);
+  return fmt::format("<script type=\"application/json\"{}>{}</script>\n", name, in_script(json));
+}
+
 CaseReport report_of(const Case& one, const Answer* exact, const Answer* claimed) {
   CaseReport report{.one = one, .exact = *exact};
   if (claimed != nullptr) report.claimed = *claimed;
@@ -83,11 +89,6 @@ std::string head(const std::string& title) {
 }
 
 }  // namespace
-
-std::string json_element(const std::string& id, const std::string& json) {
-  const std::string name = id.empty() ? "" : fmt::format(" id=\"{}\"", id);
-  return fmt::format("<script type=\"application/json\"{}>{}</script>\n", name, in_script(json));
-}
 
 std::string shared_script() { return std::string(three_script) + walkthrough_script; }
 

@@ -62,9 +62,6 @@ struct GalleryEntry {
 [[nodiscard]] std::string scene_style();
 [[nodiscard]] std::string shared_script();
 
-/// Data for a script, with an id or without.
-[[nodiscard]] std::string json_element(const std::string& id, const std::string& json);
-
 /// One line. Numbers are JSON numbers that read back as the same double, or the case format's strings for
 /// what is not finite; each value also bears its `shown` decimal, the shortest that reads back in the
 /// precision.

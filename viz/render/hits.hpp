@@ -172,7 +172,4 @@ struct PixelHits {
 [[nodiscard]] Case pixel_case(const RenderScene& scene, int x, int y, ObjectIndex object,
                               const PixelHits& hits);
 
-/// "shapes[3]", or for a mesh's triangle "triangle 17 of shapes[3]".
-[[nodiscard]] std::string object_name(const RenderScene& scene, ObjectIndex object);
-
 }  // namespace rayproof::render

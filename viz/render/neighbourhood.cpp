@@ -53,6 +53,17 @@ Neighbourhood near_in(const RenderScene& scene, double margin) {
              const Ray<double>& ray, const Meet& meet) { tree->visit(ray, meet); };
 }
 
+/// "shapes[3]", or for a mesh's triangle "triangle 17 of shapes[3]".
+std::string object_name(const RenderScene& scene, ObjectIndex object) {
+  const std::size_t entry = scene.objects[object].entry;
+  std::size_t first = object;
+  while (first > 0 && scene.objects[first - 1].entry == entry) --first;
+  const bool is_of_mesh =
+      first != object || (object + 1 < scene.objects.size() && scene.objects[object + 1].entry == entry);
+  const std::string shape = fmt::format("shapes[{}]", entry);
+  return is_of_mesh ? fmt::format("triangle {} of {}", object - first, shape) : shape;
+}
+
 }  // namespace
 
 std::optional<objects::Bounds> bounds_of(const Object& object) {
@@ -71,16 +82,6 @@ Neighbourhood embree_tree([[maybe_unused]] const RenderScene& scene, [[maybe_unu
 #else
   return nullptr;
 #endif
-}
-
-std::string object_name(const RenderScene& scene, ObjectIndex object) {
-  const std::size_t entry = scene.objects[object].entry;
-  std::size_t first = object;
-  while (first > 0 && scene.objects[first - 1].entry == entry) --first;
-  const bool is_of_mesh =
-      first != object || (object + 1 < scene.objects.size() && scene.objects[object + 1].entry == entry);
-  const std::string shape = fmt::format("shapes[{}]", entry);
-  return is_of_mesh ? fmt::format("triangle {} of {}", object - first, shape) : shape;
 }
 
 PixelHits hits_at(const RenderScene& scene, int x, int y, const Methods& methods) {

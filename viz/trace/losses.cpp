@@ -92,6 +92,21 @@ std::string effect_of(const Operation<Shadow>& o, bool is_cancelling) {
                                                                              : "loses";
 }
 
+PrecisionLoss describe_loss(const Tape& tape, OperationId id) {
+  const Operation<Shadow>& o = tape.at(id);
+  const bool is_cancelling = cancels(tape, o);
+  PrecisionLoss loss;
+  loss.step = o.step < 0 ? "the inputs" : tape.steps.at(static_cast<std::size_t>(o.step)).title;
+  loss.kind = kind_of(o.op, is_cancelling);
+  loss.effect = effect_of(o, is_cancelling);
+  loss.formula = text_of(formula_of(tape, id));
+  loss.name = o.name;
+  loss.bits_lost_here = o.bits_lost_here;
+  loss.bits_lost = o.bits_lost;
+  loss.digits = o.digits;
+  return loss;
+}
+
 }  // namespace
 
 std::vector<OperationId> operations_of_step(const Tape& tape, std::ptrdiff_t step) {
@@ -146,21 +161,6 @@ std::string loss_sentence(const std::optional<PrecisionLoss>& loss) {
   std::string sentence = in_words(*loss) + ".";
   sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
   return sentence;
-}
-
-PrecisionLoss describe_loss(const Tape& tape, OperationId id) {
-  const Operation<Shadow>& o = tape.at(id);
-  const bool is_cancelling = cancels(tape, o);
-  PrecisionLoss loss;
-  loss.step = o.step < 0 ? "the inputs" : tape.steps.at(static_cast<std::size_t>(o.step)).title;
-  loss.kind = kind_of(o.op, is_cancelling);
-  loss.effect = effect_of(o, is_cancelling);
-  loss.formula = text_of(formula_of(tape, id));
-  loss.name = o.name;
-  loss.bits_lost_here = o.bits_lost_here;
-  loss.bits_lost = o.bits_lost;
-  loss.digits = o.digits;
-  return loss;
 }
 
 std::optional<PrecisionLoss> find_decisive_loss(const Tape& tape, OperationId result, double least_bits) {

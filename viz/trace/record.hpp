@@ -28,7 +28,6 @@ using Tape = Recording<Shadow>;
 /// `least_bits` bits or more.
 [[nodiscard]] std::optional<PrecisionLoss> find_decisive_loss(const Tape& tape, OperationId result,
                                                               double least_bits);
-[[nodiscard]] PrecisionLoss describe_loss(const Tape& tape, OperationId id);
 
 /// Losses below this many bits are the everyday rounding of a few operations.
 inline constexpr double noteworthy = 3;

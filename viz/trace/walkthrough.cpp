@@ -115,11 +115,6 @@ void judge(Walkthrough& walk, const Tape& tape, const Ending& ending) {
 
 }  // namespace
 
-std::string computed_as(const WalkValue& value) {
-  const std::string text = text_of(value.formula);
-  return text == value.name ? "" : text;
-}
-
 Walkthrough steps_of(const Tape& tape, Precision precision) {
   Walkthrough walk;
   walk.precision = precision;
@@ -152,23 +147,6 @@ Walkthrough walkthrough_of(const Tape& tape, const Ending& ending, Precision pre
   walk.is_decider_zero = tape.at(ending.discriminant).value == 0;
   judge(walk, tape, ending);
   return walk;
-}
-
-std::string verdict_sentence(const Walkthrough& walk) {
-  if (walk.outcome == Faithfulness::faithful) {
-    return std::isfinite(walk.lo) ? "Rounding changed the result of the formula by a few ulps at most."
-                                  : "Rounding is not to blame.";
-  }
-  const std::string consequence =
-      walk.outcome == Faithfulness::flipped
-          ? walk.decider + (walk.is_decider_zero ? " is left 0" : " is left with the wrong sign") +
-                ", and the verdict is wrong"
-          : fmt::format("the answer keeps {:.0f} of its {} bits",
-                        std::max(0.0, walk.digits - walk.answer_bits_lost), walk.digits);
-  if (!walk.decisive_loss)
-    return "No single operation is to blame, but roundings add up: " + consequence + ".";
-  return fmt::format("In step '{}' {}: {}.", walk.decisive_loss->step, in_words(*walk.decisive_loss),
-                     consequence);
 }
 
 }  // namespace rayproof::viz

@@ -78,25 +78,6 @@ const WalkValue& value_named(std::string_view name, const Walkthrough& walk) {
   throw std::logic_error("no value " + std::string(name) + " in this run");
 }
 
-void show_beside(Stage& stage, const std::string& title, const Items& items) {
-  const std::size_t number = place_of(stage.steps, title);
-  const auto seen_of = [&](const Items& some) {
-    return view_of(extent_of(some, stage.camera), stage.camera);
-  };
-  const StageView world = seen_of(stage.scene);
-  const StageView own = seen_of(items);
-  const double shift = view_aspect * (world.radius + own.radius);
-  StageStep& step = stage.steps.at(number);
-  step.items = items;
-  for (StageItem& item : step.items) {
-    for (glm::dvec3& p : item.points) p += world.centre - own.centre + shift * stage.camera.right;
-  }
-  Items all = stage.scene;
-  append(all, step.items);
-  step.view = seen_of(all);
-  stage.steps.at(number + 1).begins_anew = true;
-}
-
 StageStep difference_of_values(const Walkthrough& walk, const Setting& setting, Precision precision) {
   StageStep step{.title = comparison_title, .view = setting.near};
   const auto worst = worst_of(walk);

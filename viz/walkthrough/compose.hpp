@@ -57,10 +57,6 @@ template <class Steps>
 /// The latest value of that name in a run: std::logic_error where there is none.
 [[nodiscard]] const WalkValue& value_named(std::string_view name, const Walkthrough& walk);
 
-/// Lets the step whose title begins so show items of another space at the right of all that is in the world;
-/// the next step begins anew.
-void show_beside(Stage& stage, const std::string& title, const Items& items);
-
 /// A last step on how far the run's own values differ from the exact ones: the one that lost most, magnified.
 [[nodiscard]] StageStep difference_of_values(const Walkthrough& walk, const Setting& setting,
                                              Precision precision);

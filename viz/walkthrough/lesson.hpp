@@ -106,11 +106,8 @@ void widen_views(Stage& stage, const Setting& setting);
 /// start, where that is much larger; and what differs, magnified, where it is too small to be seen.
 [[nodiscard]] Stage case_views(const CaseReport& report);
 
-/// Into how many parts step `index` of the walkthrough can be split, each of which draws one new thing.
-[[nodiscard]] std::size_t count_parts(const CaseReport& report, const Walkthrough& walk, std::size_t index,
-                                      const Setting& setting);
-
-/// Step `index` of the walkthrough on the setting's stage, whole or in its parts.
+/// Step `index` of the walkthrough on the setting's stage, whole or in parts, each of which draws one new
+/// thing.
 [[nodiscard]] std::vector<StageStep> kernel_steps(const CaseReport& report, const Walkthrough& walk,
                                                   std::size_t index, const Setting& setting, bool is_split);
 

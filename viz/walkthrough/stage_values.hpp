@@ -14,12 +14,7 @@ namespace rayproof::viz {
 /// Values named name.x, name.y, name.z together, in the order of naming.
 [[nodiscard]] std::vector<StageValue> grouped(const std::vector<WalkValue>& values);
 
-/// Gives the value its formula, a vector one for all its components, and the numbers in it.
-void put_numbers_in(StageValue& value, Precision precision);
-
-/// Whether it has a formula that says more than its name.
-[[nodiscard]] bool has_formula(const StageValue& value);
-/// Its text, where it says more than the name: "1/d" is 1 / d, and "min - o" min − o.
+/// The value's formula, where it says more than the name: "1/d" is 1 / d, and "min - o" min − o.
 [[nodiscard]] std::string formula_beside_name(const StageValue& value);
 
 /// The rounded number as the shortest decimal that reads back as it; a vector's in parentheses.
@@ -53,8 +48,6 @@ struct LiveValue {
 /// The numbers at `t`, a number of the case's precision. The point is `origin + t·direction`, rounded as
 /// rayproof::point_at rounds it; a readout is its polynomial by Horner's rule.
 [[nodiscard]] std::vector<LiveValue> live_values(const StageSlider& slider, double t, Precision precision);
-[[nodiscard]] glm::dvec3 point_on(const StageSlider& slider, double t, Precision precision);
-
 /// The number of the precision `count` places after t (before it, where negative).
 [[nodiscard]] double neighbour_of(double t, int count, Precision precision);
 

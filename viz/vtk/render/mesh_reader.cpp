@@ -19,6 +19,8 @@
 #include <cerrno>
 #include <cstddef>
 #include <fstream>
+#include <functional>
+#include <optional>
 #include <span>
 #include <stdexcept>
 
@@ -71,6 +73,26 @@ Triangles read_all(int from) {
   Triangles triangles(bytes.size() / sizeof(Triangle<double>));
   std::copy_n(bytes.begin(), triangles.size() * sizeof(Triangle<double>),
               std::as_writable_bytes(std::span(triangles)).begin());
+  return triangles;
+}
+
+/// What `make` gives, made in a child process that ends with it; nothing where it throws, crashes, or takes
+/// more than a minute of processor time. What the child says on standard error is lost. Call it before there
+/// are other threads.
+std::optional<Triangles> made_apart(const std::function<Triangles()>& make) {
+  std::array<int, 2> ends{};
+  if (pipe(ends.data()) != 0) return std::nullopt;
+  const pid_t child = fork();
+  if (child == 0) {
+    close(ends[0]);
+    be_child(ends[1], make);
+  }
+  close(ends[1]);
+  Triangles triangles = child > 0 ? read_all(ends[0]) : Triangles();
+  close(ends[0]);
+  int status = 0;
+  while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+  if (child < 0 || !WIFEXITED(status) || WEXITSTATUS(status) != 0) return std::nullopt;
   return triangles;
 }
 
@@ -146,23 +168,6 @@ std::vector<Triangle<double>> read_by_name(const std::filesystem::path& file) {
 }
 
 }  // namespace
-
-std::optional<Triangles> made_apart(const std::function<Triangles()>& make) {
-  std::array<int, 2> ends{};
-  if (pipe(ends.data()) != 0) return std::nullopt;
-  const pid_t child = fork();
-  if (child == 0) {
-    close(ends[0]);
-    be_child(ends[1], make);
-  }
-  close(ends[1]);
-  Triangles triangles = child > 0 ? read_all(ends[0]) : Triangles();
-  close(ends[0]);
-  int status = 0;
-  while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-  if (child < 0 || !WIFEXITED(status) || WEXITSTATUS(status) != 0) return std::nullopt;
-  return triangles;
-}
 
 std::vector<Triangle<double>> read_mesh(const std::filesystem::path& file) {
   // A pipe or a device may never end.

@@ -13,12 +13,9 @@
 #include "viz/scene/stage.hpp"
 #include "viz/vtk/space/geometry.hpp"
 
-class vtkCamera;
 class vtkRenderWindow;
 
 namespace rayproof::viz {
-
-void set_camera(vtkCamera& camera, const SpaceCamera& view);
 
 /// Lets a window sort translucent surfaces; to be called before it renders.
 void prepare_for_space(vtkRenderWindow& window);

@@ -12,6 +12,27 @@
 namespace rayproof::viz {
 namespace {
 
+/// Lets the step whose title begins so show items of another space at the right of all that is in the world;
+/// the next step begins anew.
+void show_beside(Stage& stage, const std::string& title, const Items& items) {
+  const std::size_t number = place_of(stage.steps, title);
+  const auto seen_of = [&](const Items& some) {
+    return view_of(extent_of(some, stage.camera), stage.camera);
+  };
+  const StageView world = seen_of(stage.scene);
+  const StageView own = seen_of(items);
+  const double shift = view_aspect * (world.radius + own.radius);
+  StageStep& step = stage.steps.at(number);
+  step.items = items;
+  for (StageItem& item : step.items) {
+    for (glm::dvec3& p : item.points) p += world.centre - own.centre + shift * stage.camera.right;
+  }
+  Items all = stage.scene;
+  append(all, step.items);
+  step.view = seen_of(all);
+  stage.steps.at(number + 1).begins_anew = true;
+}
+
 /// The hit of the object's own space, mapped back: it is p(t₀).
 StageStep back_in_the_world(const CaseReport& report, const NumbersByName& n, const Stage& stage) {
   const auto& question = std::get<RayQuestion>(report.one.question);
