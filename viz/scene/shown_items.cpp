@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "viz/picture/picture.hpp"
+#include "viz/scene/label_places.hpp"
 
 namespace rayproof::viz {
 namespace {

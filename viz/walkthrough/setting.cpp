@@ -8,6 +8,7 @@
 #include "viz/shapes/figure.hpp"
 #include "viz/shapes/topics.hpp"
 #include "viz/trace/numbers.hpp"
+#include "viz/walkthrough/bindings.hpp"
 
 namespace rayproof::viz {
 namespace {

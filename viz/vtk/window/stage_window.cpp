@@ -16,6 +16,7 @@
 #include "viz/flat/stage_picture.hpp"
 #include "viz/vtk/offscreen_display.hpp"
 #include "viz/vtk/picture_png.hpp"
+#include "viz/vtk/window/handle_widgets.hpp"
 #include "viz/vtk/window/widgets.hpp"
 
 namespace rayproof::viz {

@@ -1,78 +1,33 @@
 #pragma once
 /// \file
-/// A slide in a window of VTK's: the step in true space, over it a sheet with title, numbers and caption, and
-/// VTK's widgets: buttons over faces that the sheet shows, handles on what of a case can be taken hold of, a
-/// slider for t; and the mouse beside all of them.
+/// VTK's button widgets over faces that the sheet shows, its slider widget for t, and the mouse beside all
+/// widgets.
 
 #include <vtkButtonWidget.h>
-#include <vtkHandleWidget.h>
+#include <vtkCoordinate.h>
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
-#include <vtkRenderer.h>
-#include <vtkRenderWindow.h>
+#include <vtkPointData.h>
+#include <vtkProperty2D.h>
+#include <vtkRenderWindowInteractor.h>
 #include <vtkSliderRepresentation2D.h>
 #include <vtkSliderWidget.h>
 #include <vtkSmartPointer.h>
-#include <vtkSphereHandleRepresentation.h>
+#include <vtkTexturedButtonRepresentation2D.h>
 
 #include <array>
 #include <functional>
-#include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "viz/picture/picture.hpp"
 #include "viz/player/player.hpp"
-#include "viz/scene/stage.hpp"
-#include "viz/vtk/space/space_scene.hpp"
-
-class vtkContextActor;
+#include "viz/vtk/window/slide_view.hpp"
+#include "viz/vtk/window/stage_window.hpp"
 
 namespace rayproof::viz {
-
-class PictureItem;
-
-/// The slide is as large as the window allows, in its middle, its proportions kept.
-class SlideView {
- public:
-  /// `scene` is the scene's frame in a slide of slide_width by slide_height.
-  explicit SlideView(const PixelBox& scene);
-  ~SlideView();
-  SlideView(const SlideView&) = delete;
-  SlideView& operator=(const SlideView&) = delete;
-
-  /// Puts the layers where the window's size has them.
-  void fit();
-  /// Fills the layers: the step, and the sheet with the step's labels put into it. Nothing is rendered yet.
-  SpaceScene show(const Stage& stage, std::size_t step, const Picture& sheet, Look look);
-  /// Fills the sheet alone; the space is empty.
-  void show(const Picture& sheet);
-  /// Whether surfaces behind one another are sorted pixel by pixel, edges smoothed, round things made of
-  /// many sides, lit pixel by pixel, each a body of its own, and labels have halos: twice the work. From the
-  /// next `show` on.
-  void set_fine(bool is_fine);
-
-  [[nodiscard]] vtkRenderWindow& window() { return *window_; }
-  [[nodiscard]] vtkRenderer& space() { return *space_; }
-  /// Before the space, with its camera: for what can be taken hold of.
-  [[nodiscard]] vtkRenderer& front() { return *front_; }
-  [[nodiscard]] vtkRenderer& sheet() { return *sheet_; }
-  /// Pixels of the window for each of the slide's.
-  [[nodiscard]] double scale() const;
-  /// From the slide's pixels to the window's, whose y points up, as VTK's events have them.
-  [[nodiscard]] Point to_window(const Point& p) const;
-
- private:
-  PixelBox scene_;
-  Picture picture_{};
-  bool is_fine_ = true;
-  vtkNew<vtkRenderWindow> window_;
-  vtkNew<vtkRenderer> backdrop_, space_, front_, sheet_;
-  /// Each paints a part of the picture: VTK keeps 50 texts for each, and the next frame needs them again.
-  std::array<vtkNew<PictureItem>, 4> items_;
-};
 
 /// VTK's trackball camera without its keys; a drawing in a plane is shifted where a scene in space is turned.
 class OrbitStyle : public vtkInteractorStyleTrackballCamera {
@@ -98,6 +53,15 @@ struct Button {
 [[nodiscard]] std::vector<Button> buttons_of(const Player& player);
 void draw_buttons(Picture& sheet, const std::vector<Button>& buttons);
 
+/// Clear, for the face to be seen; of the box's proportions, which VTK keeps.
+[[nodiscard]] inline vtkSmartPointer<vtkImageData> glass(const PixelBox& box) {
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(static_cast<int>(box.width), static_cast<int>(box.height), 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  image->GetPointData()->GetScalars()->Fill(0);
+  return image;
+}
+
 class Buttons {
  public:
   using Press = std::function<void(const std::string& key)>;
@@ -105,11 +69,44 @@ class Buttons {
   Buttons(SlideView& view, Press press) : view_(view), press_(std::move(press)) {}
 
   /// Lets just these be clicked.
-  void show(const std::vector<Button>& buttons);
+  void show(const std::vector<Button>& buttons) {
+    shown_ = buttons;
+    while (widgets_.size() < shown_.size()) make_one();
+    for (std::size_t i = 0; i < widgets_.size(); ++i) {
+      const bool is_on = i < shown_.size() && shown_[i].is_enabled;
+      if (is_on) {
+        const Point low = view_.to_window({shown_[i].box.left, shown_[i].box.bottom()});
+        const Point high = view_.to_window({shown_[i].box.right(), shown_[i].box.top});
+        const std::array<double, 6> bounds{low.x, high.x, low.y, high.y, 0, 0};
+        if (placed_[i] != bounds) {
+          placed_[i] = bounds;
+          auto& face = *vtkTexturedButtonRepresentation2D::SafeDownCast(widgets_[i]->GetRepresentation());
+          face.SetButtonTexture(0, glass(shown_[i].box));
+          face.PlaceWidget(placed_[i].data());
+        }
+      }
+      if (widgets_[i]->GetEnabled() != (is_on ? 1 : 0)) widgets_[i]->SetEnabled(is_on ? 1 : 0);
+    }
+  }
 
  private:
-  void make_one();
-  void hear(vtkObject* source, unsigned long event, void* data);
+  void make_one() {
+    vtkNew<vtkTexturedButtonRepresentation2D> face;
+    face->SetNumberOfStates(1);
+    face->SetPlaceFactor(1);
+    vtkNew<vtkButtonWidget> widget;
+    widget->SetInteractor(view_.window().GetInteractor());
+    widget->SetDefaultRenderer(&view_.sheet());
+    widget->SetRepresentation(face);
+    widget->AddObserver(vtkCommand::StateChangedEvent, this, &Buttons::hear);
+    widgets_.push_back(widget);
+    placed_.emplace_back();
+  }
+  void hear(vtkObject* source, unsigned long /*pressed*/, void* /*nothing*/) {
+    for (std::size_t i = 0; i < shown_.size(); ++i) {
+      if (widgets_[i] == source) return press_(std::string(shown_[i].key));
+    }
+  }
 
   SlideView& view_;
   Press press_;
@@ -118,57 +115,52 @@ class Buttons {
   std::vector<Button> shown_{};
 };
 
-/// A ball on each handle of the player's step; a drag moves it in the plane parallel to the screen, with
-/// Shift along an axis of the world, and the player makes the stage again.
-class HandleWidgets {
- public:
-  /// Both must outlive it; the view must have an interactor.
-  HandleWidgets(SlideView& view, Player& player) : view_(view), player_(player) {}
-
-  /// Puts the balls where the player's handles are; what is held stays at the pointer. `shown` is what the
-  /// player shows.
-  void show(const Stage& shown);
-  /// Lets the player follow what was moved since: once a frame, however many events there were.
-  void follow();
-  void hide();
-  /// Moves the handle that has the focus, in the window's pixels.
-  void nudge(double right, double up);
-  /// Where a handle is seen, in the window's pixels, y up; nothing where it is not shown.
-  [[nodiscard]] std::optional<Point> seen(const std::string& handle) const;
-
- private:
-  using Ball = vtkSmartPointer<vtkHandleWidget>;
-  Ball make_ball();
-  void hear(vtkObject* source, unsigned long event, void* data);
-  [[nodiscard]] static vtkHandleRepresentation& face_of(const Ball& ball) {
-    return *ball->GetHandleRepresentation();
-  }
-  [[nodiscard]] glm::dvec3 in_world(const glm::dvec3& p) const;
-  /// How long in the world a pixel of the window is at a place of the view.
-  [[nodiscard]] double pixel_at(const glm::dvec3& p) const;
-
-  SlideView& view_;
-  Player& player_;
-  StageView shown_{};
-  bool is_moved_ = false;
-  std::map<std::string, Ball> balls_{};
-};
-
 /// Calls `move` with each t that the user chooses.
 class TimeSlider {
  public:
   using Move = std::function<void(double t)>;
   /// The view must outlive it.
-  TimeSlider(SlideView& view, Move move);
+  TimeSlider(SlideView& view, Move move) : view_(view), move_(std::move(move)) {
+    face_->ShowSliderLabelOff();
+    face_->SetSliderLength(0.008);
+    face_->SetSliderWidth(0.03);
+    face_->SetTubeWidth(0.005);
+    face_->SetEndCapLength(0);
+    for (vtkProperty2D* const part : {face_->GetSliderProperty(), face_->GetSelectedProperty(),
+                                      face_->GetTubeProperty(), face_->GetCapProperty()})
+      part->SetColor(0.72, 0.745, 0.776);
+    face_->GetSliderProperty()->SetColor(0.086, 0.094, 0.11);
+    face_->GetSelectedProperty()->SetColor(0.72, 0.29, 0);
+    widget_->SetDefaultRenderer(&view_.sheet());
+    widget_->SetRepresentation(face_);
+    widget_->SetAnimationModeToJump();
+    widget_->AddObserver(vtkCommand::InteractionEvent, this, &TimeSlider::hear);
+  }
 
   /// Lays it along `slider_track`, once the window has an interactor and whenever its size has changed.
-  void fit();
+  void fit() {
+    widget_->SetInteractor(view_.window().GetInteractor());
+    const int* const size = view_.window().GetSize();
+    const auto put = [&](vtkCoordinate& end, double x) {
+      const Point p = view_.to_window({x, slider_track.centre().y});
+      end.SetCoordinateSystemToNormalizedDisplay();
+      end.SetValue(p.x / size[0], p.y / size[1]);
+    };
+    put(*face_->GetPoint1Coordinate(), slider_track.left);
+    put(*face_->GetPoint2Coordinate(), slider_track.right());
+  }
   /// Shows the player's t, if the step has one to choose.
-  void show(const Stage& shown, double t);
+  void show(const Stage& shown, double t) {
+    widget_->SetEnabled(shown.slider ? 1 : 0);
+    if (!shown.slider) return;
+    face_->SetMinimumValue(shown.slider->from);
+    face_->SetMaximumValue(shown.slider->to);
+    face_->SetValue(t);
+  }
   void hide() { widget_->Off(); }
 
  private:
-  void hear(vtkObject* source, unsigned long event, void* data);
+  void hear(vtkObject* /*slider*/, unsigned long /*moved*/, void* /*nothing*/) { move_(face_->GetValue()); }
 
   SlideView& view_;
   Move move_;

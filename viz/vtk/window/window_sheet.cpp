@@ -1,11 +1,4 @@
 #include <fmt/format.h>
-#include <vtkBalloonRepresentation.h>
-#include <vtkDataArray.h>
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkRenderWindowInteractor.h>
-#include <vtkTexturedButtonRepresentation2D.h>
 
 #include <algorithm>
 
@@ -24,15 +17,6 @@ constexpr double button_height = 24;
 constexpr double button_gap = 4;
 constexpr double square_button = 32;
 constexpr double wide_button = 68;
-
-/// Clear, for the face to be seen; of the box's proportions, which VTK keeps.
-vtkSmartPointer<vtkImageData> glass(const PixelBox& box) {
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(static_cast<int>(box.width), static_cast<int>(box.height), 1);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
-  image->GetPointData()->GetScalars()->Fill(0);
-  return image;
-}
 
 constexpr double rounded_column = 140;
 constexpr double exact_column = 430;
@@ -110,45 +94,6 @@ void draw_buttons(Picture& sheet, const std::vector<Button>& buttons) {
     add_text(sheet, button.is_enabled ? Role::text : Role::frame,
              {box.centre().x, box.centre().y + size * 0.36}, button.text, size, button.is_current,
              Anchor::middle);
-  }
-}
-
-void Buttons::make_one() {
-  vtkNew<vtkTexturedButtonRepresentation2D> face;
-  face->SetNumberOfStates(1);
-  face->SetPlaceFactor(1);
-  vtkNew<vtkButtonWidget> widget;
-  widget->SetInteractor(view_.window().GetInteractor());
-  widget->SetDefaultRenderer(&view_.sheet());
-  widget->SetRepresentation(face);
-  widget->AddObserver(vtkCommand::StateChangedEvent, this, &Buttons::hear);
-  widgets_.push_back(widget);
-  placed_.emplace_back();
-}
-
-void Buttons::hear(vtkObject* source, unsigned long /*pressed*/, void* /*nothing*/) {
-  for (std::size_t i = 0; i < shown_.size(); ++i) {
-    if (widgets_[i] == source) return press_(std::string(shown_[i].key));
-  }
-}
-
-void Buttons::show(const std::vector<Button>& buttons) {
-  shown_ = buttons;
-  while (widgets_.size() < shown_.size()) make_one();
-  for (std::size_t i = 0; i < widgets_.size(); ++i) {
-    const bool is_on = i < shown_.size() && shown_[i].is_enabled;
-    if (is_on) {
-      const Point low = view_.to_window({shown_[i].box.left, shown_[i].box.bottom()});
-      const Point high = view_.to_window({shown_[i].box.right(), shown_[i].box.top});
-      const std::array<double, 6> bounds{low.x, high.x, low.y, high.y, 0, 0};
-      if (placed_[i] != bounds) {
-        placed_[i] = bounds;
-        auto& face = *vtkTexturedButtonRepresentation2D::SafeDownCast(widgets_[i]->GetRepresentation());
-        face.SetButtonTexture(0, glass(shown_[i].box));
-        face.PlaceWidget(placed_[i].data());
-      }
-    }
-    if (widgets_[i]->GetEnabled() != (is_on ? 1 : 0)) widgets_[i]->SetEnabled(is_on ? 1 : 0);
   }
 }
 
