@@ -109,26 +109,6 @@ PrecisionLoss describe_loss(const Tape& tape, OperationId id) {
 
 }  // namespace
 
-std::vector<OperationId> operations_of_step(const Tape& tape, std::ptrdiff_t step) {
-  std::vector<OperationId> operations;
-  for (std::size_t i = 0; i < tape.operations.size(); ++i) {
-    if (tape.operations[i].step == step) operations.push_back(static_cast<OperationId>(i));
-  }
-  return operations;
-}
-
-std::vector<OperationId> operations_of_value(const Tape& tape, OperationId value) {
-  std::vector<OperationId> operations{value};
-  for (std::size_t next = 0; next < operations.size(); ++next) {
-    for (const OperationId id : tape.at(operations[next]).operands) {
-      const bool is_part =
-          id != unrecorded && tape.at(id).name.empty() && tape.at(id).step == tape.at(value).step;
-      if (is_part) operations.push_back(id);
-    }
-  }
-  return operations;
-}
-
 std::optional<PrecisionLoss> worst_loss_of(const Tape& tape, const std::vector<OperationId>& operations,
                                            double arrived) {
   OperationId worst = unrecorded;

@@ -11,6 +11,28 @@
 namespace rayproof::viz {
 namespace {
 
+std::vector<OperationId> operations_of_step(const Tape& tape, std::ptrdiff_t step) {
+  std::vector<OperationId> operations;
+  for (std::size_t i = 0; i < tape.operations.size(); ++i) {
+    if (tape.operations[i].step == step) operations.push_back(static_cast<OperationId>(i));
+  }
+  return operations;
+}
+
+/// The operations of the number's own formula, itself first: from it back to numbers that have a name, to
+/// inputs, and to earlier steps.
+std::vector<OperationId> operations_of_value(const Tape& tape, OperationId value) {
+  std::vector<OperationId> operations{value};
+  for (std::size_t next = 0; next < operations.size(); ++next) {
+    for (const OperationId id : tape.at(operations[next]).operands) {
+      const bool is_part =
+          id != unrecorded && tape.at(id).name.empty() && tape.at(id).step == tape.at(value).step;
+      if (is_part) operations.push_back(id);
+    }
+  }
+  return operations;
+}
+
 WalkValue value_of(const Tape& tape, OperationId id, const std::string& name) {
   const Operation<Shadow>& o = tape.at(id);
   const bool is_input = o.op == Operator::constant;

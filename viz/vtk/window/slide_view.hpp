@@ -44,11 +44,6 @@ class SlideView {
       items_[i]->parts = items_.size();
     }
   }
-
-  void SlideView::set_fine(bool is_fine) {
-    is_fine_ = is_fine;
-    viz::set_fine(*space_, is_fine);
-  }
   SlideView(const SlideView&) = delete;
   SlideView& operator=(const SlideView&) = delete;
 
