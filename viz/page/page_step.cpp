@@ -81,7 +81,6 @@ std::string numbers_in_terms(const Formula& put_in) {
   return fits ? in_terms(put_in) : html_text(text_of(put_in));
 }
 
-/// Name, formula, numbers put in, and result, typeset.
 std::string equation(const StageValue& value, Precision precision) {
   const auto part = [](const std::string& html) { return fmt::format("<span>= {}</span> ", html); };
   std::string html = math_ml(named_formula(value.name)) + " ";

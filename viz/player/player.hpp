@@ -71,7 +71,6 @@ enum class Request { none, quit, print_case, save_picture, move_focused, nearer,
 /// What the arrow keys move; Tab goes on to the next, and through all handles.
 enum class Focus { steps, slider, view, handle };
 
-/// One walkthrough of several on show.
 class Player {
  public:
   /// At least one play, each with at least one step.

@@ -65,7 +65,6 @@ template <class Topic, class T>
   return figures;
 }
 
-/// What a topic's shape brings to a scene.
 template <class Topic>
 [[nodiscard]] FigureKind figure_kind() {
   FigureKind kind{Topic::name, Topic::Plain::name};

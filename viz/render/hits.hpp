@@ -78,7 +78,6 @@ struct Work {
       progress{};  ///< hears the share that is done; called by one thread at a time
 };
 
-/// The work was stopped before it was done.
 class Stopped : public std::exception {};
 
 /// The method for each shape: {"sphere", "centred"}.
@@ -126,7 +125,6 @@ struct ExactHit {
   return std::isinf(t) ? HUGE_VAL : t + std::abs(t) * 0x1p-22 + 0x1p-148;
 }
 
-/// The ray of a pixel, in the scene's precision.
 [[nodiscard]] Ray<double> pixel_ray(const RenderScene& scene, int x, int y);
 
 /// Pixels (x, y) with left <= x < right and top <= y < bottom.

@@ -50,7 +50,6 @@ inline constexpr double shortest = 2.5, longest = 10;  ///< seconds to read a ca
   return hits;
 }
 
-/// Lets the ray's arrow end at p(t).
 inline void shorten_ray(Stage& stage, double t) {
   const glm::dvec3 end = stage.slider->origin + t * stage.slider->direction;
   for (StageItem& item : stage.scene) {

@@ -26,7 +26,6 @@ namespace rayproof::viz {
   return {middle.x - width / 2, middle.y - height / 2, width, height};
 }
 
-/// Keeps account of what of a frame is taken.
 class LabelPlaces {
  public:
   explicit LabelPlaces(const PixelBox& frame) : frame_(frame) {}

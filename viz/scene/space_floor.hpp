@@ -58,7 +58,6 @@ inline void add_lines(SpaceFloor& floor, const StageView& view) {
   }
 }
 
-/// Below the lowest of the points.
 [[nodiscard]] inline SpaceFloor floor_below(const std::vector<glm::dvec3>& points, const glm::dvec3& up,
                                             const StageView& view) {
   SpaceFloor floor;

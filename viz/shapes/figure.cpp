@@ -23,7 +23,6 @@ std::optional<Shadow> first_hit(const Answer* exact, const Answer* claimed) {
   return std::nullopt;
 }
 
-/// Directions spread evenly over all sides.
 std::vector<glm::dvec3> all_around() {
   constexpr int count = 600;
   std::vector<glm::dvec3> directions;

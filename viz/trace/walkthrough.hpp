@@ -47,7 +47,6 @@ struct WalkValue {
       loss{};  ///< the operation of its formula that loses most; none where none is worth it
 };
 
-/// One step of the method, in the kernel's own words.
 struct WalkStep {
   std::string title;
   std::string meaning;    ///< in a sentence, its numbers put in

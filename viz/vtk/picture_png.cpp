@@ -42,7 +42,6 @@ PixelBox triad_place(const PixelBox& frame, const std::vector<ShownItem>& shown,
   return found != corners.end() ? *found : corners[0];
 }
 
-/// VTK's own arrows x, y and z.
 void add_axes(vtkRenderer& triad) {
   vtkNew<vtkAxesActor> axes;
   axes->SetXAxisLabelText("x");

@@ -48,7 +48,6 @@ inline constexpr TopicBindings topic_bindings[] = {
     {"quadratic", quadratic_bindings},            //
 };
 
-/// How a topic's named values look.
 [[nodiscard]] inline std::vector<Binding> bindings_of(const std::string& topic) {
   for (const auto& [name, table] : topic_bindings)
     if (topic == name) return table();
@@ -61,7 +60,6 @@ inline constexpr TopicBindings topic_bindings[] = {
   return size > 0 ? v * (length / size) : v;
 }
 
-/// A vector at right angles to `v`, of the same length.
 [[nodiscard]] inline glm::dvec3 across(const glm::dvec3& v) {
   const glm::dvec3 other = std::abs(v.z) < 0.9 * glm::length(v) ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
   return resized(glm::cross(v, other), glm::length(v));

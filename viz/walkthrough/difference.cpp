@@ -120,7 +120,6 @@ std::string hits_in_words(const CaseReport& report) {
   return words;
 }
 
-/// Whether the two look like one point.
 bool is_hidden(const ValuePair& pair, const Setting& setting) {
   if (!setting.slider) return false;
   const double gap = std::abs(pair.claimed - pair.exact) * glm::length(setting.slider->direction);

@@ -80,8 +80,6 @@ struct ParabolaFrame {
 };
 [[nodiscard]] ParabolaFrame parabola_frame(const Quadratic<double>& equation,
                                            const std::vector<double>& roots);
-
-/// From the plane of a drawing to the plane of the screen.
 [[nodiscard]] std::function<glm::dvec3(const glm::dvec3&)> flat_on(const StageCamera& camera);
 
 /// The point's projection along the largest axis of `n`, as the kernels have it.
@@ -89,8 +87,6 @@ struct ParabolaFrame {
 
 /// The space that step `index` of the run computes in; null for the world.
 [[nodiscard]] const StepSpace* space_of(const Setting& setting, const Walkthrough& walk, std::size_t index);
-
-/// The setting with what the space has of its own.
 [[nodiscard]] Setting in_space(Setting setting, const StepSpace& space);
 [[nodiscard]] std::vector<StepSpace> triangle_spaces(const Walkthrough& walk, const StageCamera& camera);
 

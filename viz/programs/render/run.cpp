@@ -142,7 +142,6 @@ class Render {
     }
   }
 
-  /// The light by each strategy that is asked for, in panels.
   viz::Raster shadows() {
     if (!scene_.light) throw WrongCommand(options_.scene + " has no light, which --spawn needs");
     const viz::OffscreenDisplay display;

@@ -73,7 +73,6 @@ class UnreadableFile : public std::runtime_error {
 /// The triangles of a mesh file, unrounded. Throws UnreadableFile.
 using ReadMesh = std::function<std::vector<Triangle<double>>(const std::filesystem::path&)>;
 
-/// What the command line says in place of the file.
 struct SceneOverrides {
   std::optional<Precision> precision{};
   std::optional<std::pair<int, int>> size{};  ///< width and height

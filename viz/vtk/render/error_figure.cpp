@@ -29,7 +29,6 @@ Rgb colour_of(const ErrorImage& errors, std::size_t i, int device_x, int device_
   return hatched(*style, device_x, device_y);
 }
 
-/// In device pixels.
 int in_device(double length) { return static_cast<int>(length * png_scale); }
 
 /// Paints the pixels of a box at a place of the picture, as far as they are on the canvas.

@@ -22,7 +22,6 @@ class vtkRenderWindowInteractor;
 
 namespace rayproof::render {
 
-/// One panel of the figure.
 struct ErrorPanel {
   std::string title{};  ///< the methods
   ErrorImage errors{};
@@ -76,7 +75,6 @@ struct ErrorLayout {
   [[nodiscard]] std::optional<PanelPixel> pixel_at(double x, double y) const;
 };
 
-/// Where the counts of panel i end in the legend.
 [[nodiscard]] inline double count_right(std::size_t i) {
   return margin + swatch_width + 10 + label_width + static_cast<double>(i + 1) * count_width;
 }

@@ -54,7 +54,6 @@ inline constexpr int fine_sides = 16, coarse_sides = 6;
 [[nodiscard]] Geometry tubes_of(const Geometry& lines, double radius, int sides);
 [[nodiscard]] vtkSmartPointer<vtkActor> actor_of(const Geometry& geometry, const RoleColour& colour);
 void set_colour(vtkProperty& property, const RoleColour& colour);
-/// What the source makes, under the transform.
 [[nodiscard]] Geometry placed(vtkAlgorithm& source, vtkTransform& transform);
 
 struct Floor {

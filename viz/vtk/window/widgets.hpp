@@ -149,7 +149,6 @@ class TimeSlider {
     put(*face_->GetPoint1Coordinate(), slider_track.left);
     put(*face_->GetPoint2Coordinate(), slider_track.right());
   }
-  /// Shows the player's t, if the step has one to choose.
   void show(const Stage& shown, double t) {
     widget_->SetEnabled(shown.slider ? 1 : 0);
     if (!shown.slider) return;

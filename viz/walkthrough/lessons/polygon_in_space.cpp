@@ -51,7 +51,6 @@ void meet_polygon(const RayQuestion& question) {
   cross_projected(LargestAxisLast<R>(n), q, vertices);
 }
 
-/// The projection, seen straight on.
 Items projected_scene(const NumbersByName& n, std::size_t count) {
   const auto at = [&](const std::string& name) { return dropped(n.vector("n"), n.vector(name)); };
   std::vector<glm::dvec3> ring;

@@ -44,7 +44,6 @@ int nearest_ball(int i, int j) {
   return best_ball;
 }
 
-/// The case's ray against another sphere.
 Case with_ball(const Case& one, const LoopSphere& ball) {
   Case other = one;
   std::get<RayQuestion>(other.question).shape = Sphere<double>{ball.center, ball.radius};

@@ -41,7 +41,6 @@ Items from_centre(const NumbersByName& n) {
           arrow(Role::nearest, {0, 0, 0}, n.vector(p))};
 }
 
-/// The same point's height over the plane of that circle.
 Items height_over_circle(const NumbersByName& n) {
   const glm::dvec3 p = n.vector(n.has_vector("p_b") ? "p_b" : "p_a");
   return {segment(Role::nearest, {p.x, p.y, 0}, p, "z")};

@@ -47,7 +47,6 @@ glm::dvec3 corner(double left, int i, int j) {
 
 constexpr double left_of(std::size_t panel) { return -1.26 + 0.87 * static_cast<double>(panel); }
 
-/// The frames of all panels and their names.
 Items frames() {
   Items items;
   for (std::size_t k = 0; k < panels.size(); ++k) {
