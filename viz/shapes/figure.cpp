@@ -54,29 +54,6 @@ double score(const glm::dvec3& toward, const glm::dvec3& ray, const std::vector<
 
 }  // namespace
 
-glm::dvec3 rounded(const Place& v) {
-  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
-}
-
-std::vector<glm::dvec3> rounded(const std::vector<Place>& places) {
-  std::vector<glm::dvec3> points;
-  points.reserve(places.size());
-  for (const Place& p : places) points.push_back(rounded(p));
-  return points;
-}
-
-Shadow length(const Place& v) { return sqrt(dot(v, v)); }
-
-Place unit(const Place& v) {
-  const Shadow size = length(v);
-  return size == 0 ? v : Place{v.x / size, v.y / size, v.z / size};
-}
-
-Place some_perpendicular(const Place& v) {
-  const bool is_along_z = abs(v.x) < Shadow(0.5) && abs(v.y) < Shadow(0.5);
-  return unit(cross(v, is_along_z ? Place{1, 0, 0} : Place{0, 0, 1}));
-}
-
 World::World(const RayQuestion& question) : x_{1, 0, 0}, y_{0, 1, 0}, z_{0, 0, 1}, translation_{0, 0, 0} {
   if (!question.transform) return;
   const auto column = [&](int i) { return convert<Shadow>(glm::dvec3((*question.transform)[i])); };

@@ -21,13 +21,26 @@ namespace rayproof::viz {
 /// A point or vector of the world, without rounding for all that a picture can show.
 using Place = vec3<Shadow>;
 
-[[nodiscard]] glm::dvec3 rounded(const Place& v);
-[[nodiscard]] std::vector<glm::dvec3> rounded(const std::vector<Place>& places);
-[[nodiscard]] Shadow length(const Place& v);
+[[nodiscard]] inline glm::dvec3 rounded(const Place& v) {
+  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+[[nodiscard]] inline std::vector<glm::dvec3> rounded(const std::vector<Place>& places) {
+  std::vector<glm::dvec3> points;
+  points.reserve(places.size());
+  for (const Place& p : places) points.push_back(rounded(p));
+  return points;
+}
+[[nodiscard]] inline Shadow length(const Place& v) { return sqrt(dot(v, v)); }
 /// Of length 1; 0 stays 0.
-[[nodiscard]] Place unit(const Place& v);
+[[nodiscard]] inline Place unit(const Place& v) {
+  const Shadow size = length(v);
+  return size == 0 ? v : Place{v.x / size, v.y / size, v.z / size};
+}
 /// A unit vector at right angles to a unit vector.
-[[nodiscard]] Place some_perpendicular(const Place& v);
+[[nodiscard]] inline Place some_perpendicular(const Place& v) {
+  const bool is_along_z = abs(v.x) < Shadow(0.5) && abs(v.y) < Shadow(0.5);
+  return unit(cross(v, is_along_z ? Place{1, 0, 0} : Place{0, 0, 1}));
+}
 
 /// The object-to-world map; the identity where a question has no transform.
 class World {
