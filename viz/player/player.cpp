@@ -54,12 +54,6 @@ void add_ray_handles(std::vector<Handle>& handles, const Ray<double>& ray, const
 
 Player::Player(std::vector<Play> plays) : plays_(std::move(plays)) { show_play(0); }
 
-void Player::show_play(std::size_t play) {
-  play_ = play;
-  step_ = 0;
-  reset();
-}
-
 void Player::reset() {
   stage_ = plays_[play_].stage;
   step_ = std::min(step_, stage_.steps.size() - 1);
@@ -84,15 +78,6 @@ void Player::set_t(double t) {
   follows_hit_ = false;
 }
 
-void Player::move_slider(double part) {
-  if (stage_.slider) set_t(t_ + part * (stage_.slider->to - stage_.slider->from));
-}
-
-void Player::put_focus(Focus focus, const std::string& handle) {
-  focus_ = focus;
-  focused_ = handle;
-}
-
 void Player::grasp(const std::string& handle) {
   for (Handle& one : handles()) {
     if (one.name != handle) continue;
@@ -109,8 +94,6 @@ void Player::drag_to(const glm::dvec3& to, double resolution) {
     complaint_ = fmt::format("{}; the case before stays", why.what());
   }
 }
-
-void Player::release() { held_.reset(); }
 
 void Player::take(const Case& one) {
   Stage next = plays_[play_].again(one);

@@ -87,7 +87,7 @@ class Player {
   /// points at a distance of `resolution` can just be distinguished. Makes the stage again; keeps the old one
   /// and complains where the case is refused.
   void drag_to(const glm::dvec3& to, double resolution);
-  void release();
+  void release() { held_.reset(); }
 
   /// The stage as it stands: of the case as it was dragged.
   [[nodiscard]] const Stage& stage() const { return stage_; }
@@ -114,13 +114,22 @@ class Player {
     StageView view;
   };
 
-  void show_play(std::size_t play);
+  void show_play(std::size_t play) {
+    play_ = play;
+    step_ = 0;
+    reset();
+  }
   void reset();
   Request press_arrow(const std::string& key);
   void move_focus(bool is_backward);
-  void put_focus(Focus focus, const std::string& handle = {});
+  void put_focus(Focus focus, const std::string& handle = {}) {
+    focus_ = focus;
+    focused_ = handle;
+  }
   /// By so much of its range.
-  void move_slider(double part);
+  void move_slider(double part) {
+    if (stage_.slider) set_t(t_ + part * (stage_.slider->to - stage_.slider->from));
+  }
   void take(const Case& one);
 
   std::vector<Play> plays_;
