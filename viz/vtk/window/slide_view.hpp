@@ -81,7 +81,10 @@ class SlideView {
   /// Whether surfaces behind one another are sorted pixel by pixel, edges smoothed, round things made of
   /// many sides, lit pixel by pixel, each a body of its own, and labels have halos: twice the work. From the
   /// next `show` on.
-  void set_fine(bool is_fine);
+  void set_fine(bool is_fine) {
+    is_fine_ = is_fine;
+    viz::set_fine(*space_, is_fine);
+  }
 
   [[nodiscard]] vtkRenderWindow& window() { return *window_; }
   [[nodiscard]] vtkRenderer& space() { return *space_; }
