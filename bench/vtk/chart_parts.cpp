@@ -14,7 +14,7 @@
 
 #include <string>
 
-#include "viz/vtk/sheet/picture_text.hpp"
+#include "viz/vtk/sheet/picture_item.hpp"
 
 namespace rayproof::report {
 

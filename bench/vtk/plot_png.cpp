@@ -14,7 +14,7 @@
 
 #include "bench/vtk/chart_parts.hpp"
 #include "viz/vtk/offscreen_display.hpp"
-#include "viz/vtk/raster_png.hpp"
+#include "viz/vtk/picture_png.hpp"
 
 namespace rayproof::report {
 

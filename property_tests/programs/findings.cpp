@@ -12,7 +12,7 @@
 #include "dossier/collection.hpp"
 #include "programs/check/peers.hpp"
 #include "viz/page/page.hpp"
-#include "viz/picture/svg.hpp"
+#include "viz/picture/picture.hpp"
 
 namespace {
 

@@ -21,7 +21,6 @@ struct Measured {
   double residual = 0;    ///< how far the answer misses its equation
 };
 
-/// One case, answered.
 struct CaseReport {
   Case one;
   Answer exact;
@@ -41,9 +40,6 @@ struct CaseReport {
 /// units".
 [[nodiscard]] std::string in_words(const Measured& measured);
 
-/// "t" or "x".
-[[nodiscard]] std::string symbol_of(const Case& one);
-
 /// What the method's run calls its hit or root of this rank, "t_entry"; "t₀" where it has no name for it.
 [[nodiscard]] std::string root_name(const CaseReport& report, std::size_t rank);
 
@@ -57,11 +53,7 @@ struct CaseReport {
 /// One plain sentence, sometimes two: how far off the answer is, or where its digits were lost; and where an
 /// answer is wrong though none were, why.
 [[nodiscard]] std::string conclusion_of(const CaseReport& report);
-
-/// The explanation for a terminal, in UTF-8.
 [[nodiscard]] std::string explain_text(const CaseReport& report);
-
-/// The same as one line of JSON.
 [[nodiscard]] std::string explain_json(const CaseReport& report);
 
 /// The t or x of the answer, ascending; none for a missing answer.

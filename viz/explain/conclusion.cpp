@@ -9,6 +9,25 @@
 namespace rayproof::viz {
 namespace {
 
+/// "In step 'Form the discriminant' the subtraction b·b − 4·a·c loses 22 of 24 bits by cancellation: …", or
+/// that rounding changed little.
+std::string verdict_sentence(const Walkthrough& walk) {
+  if (walk.outcome == Faithfulness::faithful) {
+    return std::isfinite(walk.lo) ? "Rounding changed the result of the formula by a few ulps at most."
+                                  : "Rounding is not to blame.";
+  }
+  const std::string consequence =
+      walk.outcome == Faithfulness::flipped
+          ? walk.decider + (walk.is_decider_zero ? " is left 0" : " is left with the wrong sign") +
+                ", and the verdict is wrong"
+          : fmt::format("the answer keeps {:.0f} of its {} bits",
+                        std::max(0.0, walk.digits - walk.answer_bits_lost), walk.digits);
+  if (!walk.decisive_loss)
+    return "No single operation is to blame, but roundings add up: " + consequence + ".";
+  return fmt::format("In step '{}' {}: {}.", walk.decisive_loss->step, in_words(*walk.decisive_loss),
+                     consequence);
+}
+
 /// What a few roundings may be.
 constexpr double a_few_ulps = 16;
 
@@ -34,7 +53,6 @@ std::string accuracy_of(const CaseReport& report) {
   return values_of(&report.exact).empty() ? "the exact one" : accuracy_in_words(ulps_of(report));
 }
 
-/// Of a method without steps to show.
 std::string without_steps(const CaseReport& report) {
   const bool differ = verdicts_differ(&report.exact, report.claim());
   std::string text = fmt::format("{} can't be recorded step by step; its answer is {}.", report.method,
@@ -66,24 +84,9 @@ std::string blame_of(const Walkthrough& walk) {
                              in_words(*walk.worst_loss));
 }
 
-}  // namespace
-
-std::string in_words(const Measured& measured) {
-  const std::string residual = fmt::format("the residual is {} contract units", rough(measured.residual));
-  if (!measured.is_wrong) return residual;
-  const std::string verdict =
-      std::isinf(measured.margin)
-          ? "the verdict is wrong, and no input near it has another verdict"
-          : fmt::format("the verdict is wrong, {} contract units from a change of verdict",
-                        rough(measured.margin));
-  return measured.residual > 0 ? verdict + "; " + residual : verdict;
-}
-
 std::string symbol_of(const Case& one) {
   return std::holds_alternative<RayQuestion>(one.question) ? "t" : "x";
 }
-
-namespace {
 
 /// A name that the steps have for the hit or root of this rank, whatever its value.
 std::string usual_root_name(const CaseReport& report, std::size_t rank) {
@@ -96,6 +99,17 @@ std::string usual_root_name(const CaseReport& report, std::size_t rank) {
 }
 
 }  // namespace
+
+std::string in_words(const Measured& measured) {
+  const std::string residual = fmt::format("the residual is {} contract units", rough(measured.residual));
+  if (!measured.is_wrong) return residual;
+  const std::string verdict =
+      std::isinf(measured.margin)
+          ? "the verdict is wrong, and no input near it has another verdict"
+          : fmt::format("the verdict is wrong, {} contract units from a change of verdict",
+                        rough(measured.margin));
+  return measured.residual > 0 ? verdict + "; " + residual : verdict;
+}
 
 std::string root_name(const CaseReport& report, std::size_t rank) {
   const std::string usual = usual_root_name(report, rank);

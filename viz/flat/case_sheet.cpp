@@ -9,7 +9,7 @@
 #include "viz/scene/shown_items.hpp"
 #include "viz/scene/space.hpp"
 #include "viz/trace/numbers.hpp"
-#include "viz/walkthrough/stage_of.hpp"
+#include "viz/walkthrough/lesson.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -36,7 +36,6 @@ std::vector<PixelBox> frames_of(std::size_t count, double width) {
   return frames;
 }
 
-/// Pixels for each length of the world.
 double scale_of(const CaseSheet& sheet, std::size_t i) {
   const StageStep& step = sheet.stage.steps[i];
   return step.magnification * pixels_per_length(step.view, sheet.frames[i]);

@@ -18,8 +18,6 @@ namespace rayproof::viz {
 
 /// Draws a step's scene into a frame of a picture, its own items bright and those of the steps before dimmed.
 void draw_scene(Picture& picture, const PixelBox& frame, const Stage& stage, std::size_t step);
-
-/// The scene with the step's own items bright and those of the steps before dimmed.
 [[nodiscard]] Picture scene_picture(const Stage& stage, std::size_t step, double width, double height);
 
 /// A slide's size, and what stays free along its border.
@@ -37,7 +35,6 @@ inline constexpr PixelBox slide_scene{slide_margin, 60, 596, 368};
 /// The words on the roles, along a slide's lower border.
 void draw_legend(Picture& picture, const Stage& stage, std::size_t step);
 
-/// A word on a role.
 struct LegendEntry {
   Role role;
   bool is_mark;  ///< a mark, else a line
@@ -70,7 +67,7 @@ struct SurfaceOutline {
 
 /// All but the scenes: a headline, a frame for each view, and a table of the answers below them.
 struct CaseSheet {
-  Stage stage{};                   ///< its steps are the views (viz/walkthrough/stage_of.hpp)
+  Stage stage{};                   ///< its steps are the views (viz/walkthrough/lesson.hpp)
   std::vector<PixelBox> frames{};  ///< where each is to be drawn
   Picture picture{};
 };

@@ -3,17 +3,37 @@
 #include <fmt/format.h>
 
 #include <cctype>
+#include <cstring>
 
 #include "case/escape.hpp"
 #include "case/writer.hpp"
 #include "properties/report/page_style.hpp"
 #include "viz/flat/stage_picture.hpp"
 #include "viz/page/script/embedded.hpp"
-#include "viz/picture/svg.hpp"
-#include "viz/walkthrough/stage_of.hpp"
+#include "viz/picture/picture.hpp"
+#include "viz/walkthrough/lesson.hpp"
 
 namespace rayproof::viz {
 namespace {
+
+/// Without "</", "<!" and "<s", which HTML reads even within a script.
+std::string in_script(std::string json) {
+  for (std::size_t at = json.find('<'); at != std::string::npos; at = json.find('<', at + 1))
+    if (at + 1 < json.size() && std::strchr("/!sS", json[at + 1])) json.replace(at, 1, "\\u003c");
+  return json;
+}
+
+/// Data for a script, with an id or without.
+std::string json_element(const std::string& id, const std::string& json) {
+  const std::string name = id.empty() ? "" : fmt::format(" id=\"{}\"", id);
+  return fmt::format("<script type=\"application/json\"{}>{}</script>\n", name, in_script(json));
+}
+
+CaseReport report_of(const Case& one, const Answer* exact, const Answer* claimed) {
+  CaseReport report{.one = one, .exact = *exact};
+  if (claimed != nullptr) report.claimed = *claimed;
+  return report;
+}
 
 std::string legend(const Stage& stage) {
   std::string html = "<ul class=\"legend paint\" aria-label=\"Legend\">\n";
@@ -43,7 +63,6 @@ std::string slider(const Stage& stage) {
                      fmt::arg("finer", is_float ? "in double" : ""));
 }
 
-/// A button for each step.
 std::string buttons(const Stage& stage) {
   std::string all;
   for (std::size_t i = 1; i <= stage.steps.size(); ++i) {
@@ -70,6 +89,37 @@ std::string head(const std::string& title) {
 }
 
 }  // namespace
+
+std::string shared_script() { return std::string(three_script) + walkthrough_script; }
+
+std::string scene_style() {
+  const auto colours = [](const char* RoleColour::*shade) {
+    std::string rules;
+    const auto add = [&](const RoleColour& one) {
+      rules += fmt::format("--role-{}:{};", one.name, one.*shade);
+    };
+    for (const RoleColour& one : palette) add(one);
+    for (const RoleColour& one : {floor_colours.ground, floor_colours.grid, floor_colours.shadow}) add(one);
+    return rules;
+  };
+  return scene_style_sheet +
+         fmt::format(":root{{{}}}@media screen and (prefers-color-scheme:dark){{:root{{{}}}}}\n",
+                     colours(&RoleColour::light), colours(&RoleColour::dark));
+}
+
+std::string case_still(const Case& one, const Answer* exact, const Answer* claimed) {
+  return to_svg(case_picture(report_of(one, exact, claimed)));
+}
+
+std::string figure_of(const CaseReport& report) {
+  const std::string still = to_svg(case_picture(report));
+  if (*three_script == '\0') return still;
+  return "<div class=\"case\">" + still + json_element("", space_json(case_views(report))) + "</div>";
+}
+
+std::string case_figure(const Case& one, const Answer* exact, const Answer* claimed) {
+  return figure_of(report_of(one, exact, claimed));
+}
 
 std::string stage_page(const Stage& stage, const Still& still, const PageSurroundings& beside) {
   const std::string conclusion = fmt::format("<p class=\"conclusion\">{}</p>\n", html_text(stage.conclusion));

@@ -36,7 +36,6 @@ struct PageSurroundings {
 /// The page of a case: its stage, and above that all views of it in one figure.
 [[nodiscard]] std::string case_page(const CaseReport& report, const std::string& script = {});
 
-/// What a gallery shows of a stage.
 struct GalleryEntry {
   std::string group;
   std::string file;
@@ -60,15 +59,8 @@ struct GalleryEntry {
 
 /// The SVG of a finding, for a page or, behind xml_head, as a file.
 [[nodiscard]] std::string case_still(const Case& one, const Answer* exact, const Answer* claimed);
-
-/// What the scenes of a page need of its style.
 [[nodiscard]] std::string scene_style();
-
-/// The script of all pages.
 [[nodiscard]] std::string shared_script();
-
-/// Data for a script, with an id or without.
-[[nodiscard]] std::string json_element(const std::string& id, const std::string& json);
 
 /// One line. Numbers are JSON numbers that read back as the same double, or the case format's strings for
 /// what is not finite; each value also bears its `shown` decimal, the shortest that reads back in the

@@ -1,18 +1,68 @@
-#include "viz/page/page.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "case/escape.hpp"
 #include "viz/flat/stage_picture.hpp"
-#include "viz/picture/svg.hpp"
+#include "viz/page/page.hpp"
+#include "viz/picture/picture.hpp"
 #include "viz/scene/shown_items.hpp"
+#include "viz/trace/expression.hpp"
 #include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {
 namespace {
+
+using Kind = Expression::Kind;
+
+std::string row(const std::string& inside) { return "<mrow>" + inside + "</mrow>"; }
+std::string sign(const std::string& text) { return text.empty() ? "" : "<mo>" + escaped(text) + "</mo>"; }
+std::string upright(const std::string& text) {
+  return "<mi mathvariant=\"normal\">" + escaped(text) + "</mi>";
+}
+
+std::string typeset_leaf(const Expression& e);
+
+constexpr const char* open_fence = "<mrow><mo stretchy=\"false\">(</mo><mrow>";
+constexpr const char* close_fence = "</mrow><mo stretchy=\"false\">)</mo></mrow>";
+const PrintStyle math_style{
+    {{{},
+      {},
+      {},
+      {"", "<mo>·</mo>"},
+      {"", "<mo>×</mo>"},
+      {"<mfrac><mrow>", "</mrow><mrow>", "</mrow></mfrac>", true},
+      {"", "<mo>·</mo>"},
+      {"<msup><mrow>", "", "</mrow><mn>2</mn></msup>"},
+      {"<msup><mrow>", "</mrow><mrow>", "</mrow></msup>"},
+      {"<msqrt>", "", "</msqrt>", true},
+      {"<mrow><mo stretchy=\"false\">|</mo><mrow>", "", "</mrow><mo stretchy=\"false\">|</mo></mrow>", true},
+      {open_fence, "<mo>,</mo>", close_fence, true}}},
+    open_fence,
+    close_fence,
+    typeset_leaf,
+    [](const std::string& text, bool /*is_first*/) { return sign(text); },
+    [](const std::string& name) { return name.empty() ? "" : upright(name); }};
+
+std::string typeset_name(const std::string& name) {
+  const NameParts parts = parts_of_name(name);
+  const std::string letters =
+      parts.letters.size() > 1 ? upright(parts.letters) : "<mi>" + escaped(parts.letters) + "</mi>";
+  return parts.index.empty() ? letters : "<msub>" + letters + "<mi>" + escaped(parts.index) + "</mi></msub>";
+}
+
+std::string typeset_leaf(const Expression& e) {
+  if (e.kind == Kind::number && e.text.starts_with('-'))
+    return sign("−") + "<mn>" + escaped(e.text.substr(1)) + "</mn>";
+  if (e.kind == Kind::number) return "<mn>" + escaped(e.text) + "</mn>";
+  if (e.parts.empty()) return typeset_name(e.text);
+  const std::string meaning = printed(e.parts[0], math_style);
+  if (without_axis(e.text) == e.text) return meaning;
+  const bool is_bare = strength_of(*e.parts[0]) == Strength::atom;
+  return "<msub>" + (is_bare ? row(meaning) : open_fence + meaning + close_fence) + "<mi>" + e.text.back() +
+         "</mi></msub>";
+}
 
 /// A formula typeset term by term, so that a browser can break the line between them.
 std::string in_terms(const Formula& formula) {
@@ -31,7 +81,6 @@ std::string numbers_in_terms(const Formula& put_in) {
   return fits ? in_terms(put_in) : html_text(text_of(put_in));
 }
 
-/// Name, formula, numbers put in, and result, typeset.
 std::string equation(const StageValue& value, Precision precision) {
   const auto part = [](const std::string& html) { return fmt::format("<span>= {}</span> ", html); };
   std::string html = math_ml(named_formula(value.name)) + " ";
@@ -71,6 +120,10 @@ std::string table(const std::vector<StageValue>& values, Precision precision) {
 }
 
 }  // namespace
+
+std::string math_ml(const Formula& formula) {
+  return "<math>" + row(printed(formula, math_style)) + "</math>";
+}
 
 std::string html_text(const std::string& text) { return escaped(typeset(text)); }
 

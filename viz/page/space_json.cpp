@@ -6,7 +6,7 @@
 
 #include "case/escape.hpp"
 #include "case/json/ordered.hpp"
-#include "viz/picture/palette.hpp"
+#include "viz/picture/picture.hpp"
 #include "viz/scene/space.hpp"
 
 namespace rayproof::viz {

@@ -5,7 +5,7 @@
 
 #include "case/json/ordered.hpp"
 #include "case/writer.hpp"
-#include "viz/picture/palette.hpp"
+#include "viz/picture/picture.hpp"
 #include "viz/trace/numbers.hpp"
 
 namespace rayproof::viz {

@@ -1,10 +1,10 @@
-#include "viz/picture/clip.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <set>
+
+#include "viz/picture/picture.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -20,7 +20,6 @@ std::array<HalfPlane, 4> sides_of(const PixelBox& box) {
   return {{{-1, 0, -box.left}, {1, 0, box.right()}, {0, -1, -box.top}, {0, 1, box.bottom()}}};
 }
 
-/// What rounding has put beside the box.
 Point into(const Point& p, const PixelBox& box) {
   return {std::clamp(p.x, box.left, box.right()), std::clamp(p.y, box.top, box.bottom())};
 }
@@ -70,6 +69,20 @@ std::set<double> crossings_of(const std::vector<Point>& ring) {
   return levels;
 }
 
+/// Not many more strips than this, nor sides that are compared each with each: of a tangle that would take
+/// gigabytes nobody sees the inside.
+constexpr std::size_t most_strips = 40'000, most_sides = 4'096;
+
+/// The first, the last, and as many in between as come to `most` in all.
+std::set<double> thinned_out(const std::set<double>& levels, std::size_t most) {
+  const std::size_t step = levels.size() / most + 1;
+  std::set<double> kept{*levels.rbegin()};
+  std::size_t number = 0;
+  for (const double level : levels)
+    if (number++ % step == 0) kept.insert(level);
+  return kept;
+}
+
 }  // namespace
 
 std::vector<std::vector<Point>> clip_line(const std::vector<Point>& line, const PixelBox& box) {
@@ -106,24 +119,6 @@ std::vector<Point> clip_area(std::vector<Point> area, const PixelBox& box) {
   for (Point& p : area) p = into(p, box);
   return area;
 }
-
-namespace {
-
-/// Not many more strips than this, nor sides that are compared each with each: of a tangle that would take
-/// gigabytes nobody sees the inside.
-constexpr std::size_t most_strips = 40'000, most_sides = 4'096;
-
-/// The first, the last, and as many in between as come to `most` in all.
-std::set<double> thinned_out(const std::set<double>& levels, std::size_t most) {
-  const std::size_t step = levels.size() / most + 1;
-  std::set<double> kept{*levels.rbegin()};
-  std::size_t number = 0;
-  for (const double level : levels)
-    if (number++ % step == 0) kept.insert(level);
-  return kept;
-}
-
-}  // namespace
 
 std::vector<Strip> even_odd_strips(const std::vector<Point>& ring) {
   if (ring.size() > most_sides) return {};

@@ -11,7 +11,6 @@ namespace rayproof::viz {
 
 using Rgb = std::array<std::uint8_t, 3>;
 
-/// "#rrggbb" as three bytes.
 [[nodiscard]] constexpr Rgb rgb_of(const char* hex) {
   const auto digit = [](char c) {
     return static_cast<std::uint8_t>(c <= '9' ? c - '0' : (c | 0x20) - 'a' + 10);

@@ -1,12 +1,10 @@
-#include "viz/picture/svg.hpp"
+#include "viz/picture/picture.hpp"
 
 #include <fmt/format.h>
 
 #include <cctype>
 
 #include "case/escape.hpp"
-#include "viz/picture/palette.hpp"
-#include "viz/picture/picture.hpp"
 
 namespace rayproof::viz {
 

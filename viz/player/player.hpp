@@ -15,10 +15,48 @@
 #include <vector>
 
 #include "viz/flat/stage_picture.hpp"
-#include "viz/player/handles.hpp"
 #include "viz/scene/stage.hpp"
 
 namespace rayproof::viz {
+
+class Rounding {
+ public:
+  /// `resolution` is how far apart two places are that can just be distinguished.
+  Rounding(double resolution, Precision precision) : resolution_(resolution), precision_(precision) {}
+
+  /// The shortest decimal that distinguishes `next` at this resolution, then a number of the precision; `old`
+  /// where it did not move.
+  [[nodiscard]] double operator()(double old, double next) const;
+  [[nodiscard]] glm::dvec3 operator()(const glm::dvec3& old, const glm::dvec3& next) const;
+  /// The same for lengths of which each appears as `factor` of them.
+  [[nodiscard]] Rounding magnified(double factor) const { return {resolution_ / factor, precision_}; }
+
+ private:
+  double resolution_;
+  Precision precision_;
+};
+
+/// A point to take hold of: of the ray its origin or the tip of its arrow, of a shape what defines it, of a
+/// transform its translation or the tip of one of its axes.
+struct Handle {
+  std::string name;  ///< "origin", "tip", "center", "vertices 2"; each once in a case
+  glm::dvec3 at{};
+  /// Writes the place to which it was moved into a case: of the case from which the handle was made.
+  std::function<void(Case& next, const glm::dvec3& to, const Rounding& round)> move{};
+};
+
+/// The handles in the view of a step, those of the ray first. None where the step shows something else than
+/// the case: a scene of its own, or another ray.
+[[nodiscard]] std::vector<Handle> handles_of(const Stage& stage, std::size_t step);
+
+/// The handles of the shape and of its transform, wherever they are; `size` is about the view's radius,
+/// `aside` the direction in which a radius lies.
+[[nodiscard]] std::vector<Handle> shape_handles(const Case& one, double size, const glm::dvec3& aside);
+
+/// The case with the handle moved to `to`. Coordinates that the move changes become the shortest decimals
+/// that distinguish points at a distance of `resolution`, then numbers of the case's precision; the others
+/// keep their bits. Throws a Refusal where the format refuses the case: a zero direction, say.
+[[nodiscard]] Case moved(const Case& one, const Handle& handle, const glm::dvec3& to, double resolution);
 
 /// A stage, and how to make it again of another case.
 struct Play {
@@ -33,7 +71,6 @@ enum class Request { none, quit, print_case, save_picture, move_focused, nearer,
 /// What the arrow keys move; Tab goes on to the next, and through all handles.
 enum class Focus { steps, slider, view, handle };
 
-/// One walkthrough of several on show.
 class Player {
  public:
   /// At least one play, each with at least one step.
@@ -50,7 +87,7 @@ class Player {
   /// points at a distance of `resolution` can just be distinguished. Makes the stage again; keeps the old one
   /// and complains where the case is refused.
   void drag_to(const glm::dvec3& to, double resolution);
-  void release();
+  void release() { held_.reset(); }
 
   /// The stage as it stands: of the case as it was dragged.
   [[nodiscard]] const Stage& stage() const { return stage_; }
@@ -77,13 +114,22 @@ class Player {
     StageView view;
   };
 
-  void show_play(std::size_t play);
+  void show_play(std::size_t play) {
+    play_ = play;
+    step_ = 0;
+    reset();
+  }
   void reset();
   Request press_arrow(const std::string& key);
   void move_focus(bool is_backward);
-  void put_focus(Focus focus, const std::string& handle = {});
+  void put_focus(Focus focus, const std::string& handle = {}) {
+    focus_ = focus;
+    focused_ = handle;
+  }
   /// By so much of its range.
-  void move_slider(double part);
+  void move_slider(double part) {
+    if (stage_.slider) set_t(t_ + part * (stage_.slider->to - stage_.slider->from));
+  }
   void take(const Case& one);
 
   std::vector<Play> plays_;

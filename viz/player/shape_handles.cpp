@@ -10,7 +10,7 @@
 #include <string_view>
 #include <variant>
 
-#include "viz/player/handles.hpp"
+#include "viz/player/player.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -34,7 +34,6 @@ struct Gather {
   }
 };
 
-/// The parts of a case's shape, in the order of the format.
 std::vector<Part> parts_of(Case& one) {
   std::vector<Part> parts;
   if (auto* asked = std::get_if<RayQuestion>(&one.question)) {

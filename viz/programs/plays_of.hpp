@@ -9,7 +9,6 @@
 #include "viz/player/player.hpp"
 #include "viz/programs/report_of.hpp"
 #include "viz/walkthrough/lesson.hpp"
-#include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::viz {
 

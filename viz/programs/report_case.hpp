@@ -1,24 +1,47 @@
 #pragma once
 /// \file
-/// What `explain` and `draw` have in common: CASE and --method on the command line, answered.
+/// What `explain` and `draw` have in common: CASE and --method on the command line, answered; and what ends a
+/// program: a mistake in the command line that CLI11 can't see, with status 2, or a Refusal.
 
 #include <fmt/format.h>
 
 #include <array>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "case/reader/near_names.hpp"
+#include "case/shape_format.hpp"
 #include "command_line/command_line.hpp"
 #include "command_line/count_option.hpp"
 #include "command_line/idle_options.hpp"
 #include "subjects/command.hpp"
 #include "viz/explain/case_argument.hpp"
 #include "viz/programs/report_of.hpp"
-#include "viz/programs/wrong_command.hpp"
 
 namespace rayproof::viz {
+
+class WrongCommand : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Runs `body` and turns what it throws into one sentence on standard error and the exit status.
+template <class Body>
+[[nodiscard]] int run_and_report(const char* program, Body&& body) {
+  const auto report = [program](const std::exception& why, int status) {
+    print_trouble(program, why);
+    return status;
+  };
+  try {
+    body();
+    return 0;
+  } catch (const Refusal& refused) {
+    return report(refused, 1);
+  } catch (const std::runtime_error& mistake) {
+    return report(mistake, 2);
+  }
+}
 
 struct CaseOptions {
   std::string text{};                    ///< CASE

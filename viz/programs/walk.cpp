@@ -15,8 +15,7 @@
 #include "viz/walkthrough/lesson.hpp"
 #ifdef RAYPROOF_HAS_VTK
 #include "viz/vtk/offscreen_display.hpp"
-#include "viz/vtk/raster_png.hpp"
-#include "viz/vtk/slide_canvas.hpp"
+#include "viz/vtk/picture_png.hpp"
 #endif
 
 namespace {

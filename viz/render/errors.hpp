@@ -30,8 +30,6 @@ inline constexpr std::array<UlpStep, 7> ulp_steps{{{0, "0"},
                                                    {64, "64 to 511"},
                                                    {512, "512 to 4095"},
                                                    {4096, "4096 and more"}}};
-
-/// The step an error belongs to.
 [[nodiscard]] std::size_t step_of(double ulps);
 
 struct Totals {
@@ -97,7 +95,6 @@ inline constexpr std::array<VerdictStyle, 3> verdict_styles{{
      "wrong object: another comes first"},
 }};
 
-/// The colour of a device pixel of the pattern.
 [[nodiscard]] constexpr Rgb hatched(const VerdictStyle& style, int x, int y) {
   constexpr int period = 8, stroke = 3;
   bool is_ink = false;

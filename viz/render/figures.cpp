@@ -10,74 +10,61 @@
 namespace rayproof::render {
 namespace {
 
-template <class Topic, class Method, class T>
-class MethodFigures final : public Figures<T> {
- public:
-  explicit MethodFigures(const Members& members) {
-    figures_.reserve(members.objects.size());
-    for (const ObjectIndex index : members.objects) {
-      const Object& object = members.scene->objects[index];
-      const RayQuestion question{{}, object.shape, object.transform};
-      figures_.push_back(
-          {convert<T>(Reading<Topic>::shape(question)), Reading<Topic>::template space<T>(question), index});
-    }
-  }
-
-  void meet_all(std::span<const Ray<T>> rays, std::span<Nearest<T>> nearest) const override {
-    for (const PlacedShape& figure : figures_) {
-      if (figure.space) {
-        for (std::size_t i = 0; i < rays.size(); ++i) meet_placed(figure, rays[i], nearest[i]);
-      } else {
-        meet_each(figure, rays, nearest);
-      }
-    }
-  }
-
-  void meet(std::size_t figure, const Ray<T>& ray, Nearest<T>& nearest) const override {
-    const PlacedShape& asked = figures_[figure];
-    if (asked.space)
-      meet_placed(asked, ray, nearest);
-    else
-      meet_each(asked, {&ray, 1}, {&nearest, 1});
-  }
-
- private:
-  struct PlacedShape {
-    decltype(Topic::template Problem<T>::shape) shape;
-    std::optional<ObjectSpace<T>> space;
-    ObjectIndex object;
-  };
-
-  /// Out of line: every method is compiled once, not once for each caller.
-  [[gnu::noinline]] static void meet_each(const PlacedShape& figure, std::span<const Ray<T>> rays,
-                                          std::span<Nearest<T>> nearest) {
-    for (std::size_t i = 0; i < rays.size(); ++i)
-      nearest[i].offer(rayproof::nearest<T>(rays[i], Method::roots(rays[i], figure.shape)), figure.object);
-  }
-
-  static void meet_placed(const PlacedShape& figure, const Ray<T>& ray, Nearest<T>& nearest) {
-    if constexpr (takes_transforms<Method, T, decltype(figure.shape)>) {
-      const auto roots = Method::roots_in_world(*figure.space, ray, figure.shape);
-      nearest.offer(rayproof::nearest<T>(ray, roots), figure.object);
-    } else {
-      const Ray<T> in_object_space = to_object(*figure.space, ray);
-      meet_each(figure, {&in_object_space, 1}, {&nearest, 1});
-    }
-  }
-
-  std::vector<PlacedShape> figures_{};
+template <class Topic, class T>
+struct PlacedShape {
+  decltype(Topic::template Problem<T>::shape) shape;
+  std::optional<ObjectSpace<T>> space;
+  ObjectIndex object;
 };
 
+/// Out of line: every method is compiled once, not once for each caller.
+template <class Method, class Placed, class T>
+[[gnu::noinline]] void meet_each(const Placed& figure, std::span<const Ray<T>> rays,
+                                 std::span<Nearest<T>> nearest) {
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    nearest[i].offer(rayproof::nearest<T>(rays[i], Method::roots(rays[i], figure.shape)), figure.object);
+}
+
+template <class Method, class Placed, class T>
+void meet_figure(const Placed& figure, std::span<const Ray<T>> rays, std::span<Nearest<T>> nearest) {
+  if (!figure.space) return meet_each<Method>(figure, rays, nearest);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if constexpr (takes_transforms<Method, T, decltype(figure.shape)>) {
+      const auto roots = Method::roots_in_world(*figure.space, rays[i], figure.shape);
+      nearest[i].offer(rayproof::nearest<T>(rays[i], roots), figure.object);
+    } else {
+      const Ray<T> in_object_space = to_object(*figure.space, rays[i]);
+      meet_each<Method>(figure, std::span(&in_object_space, 1), nearest.subspan(i, 1));
+    }
+  }
+}
+
+template <class Method, class Topic, class T>
+Figures<T> figures_by(const Members& members) {
+  std::vector<PlacedShape<Topic, T>> figures;
+  figures.reserve(members.objects.size());
+  for (const ObjectIndex index : members.objects) {
+    const Object& object = members.scene->objects[index];
+    const RayQuestion question{{}, object.shape, object.transform};
+    figures.push_back(
+        {convert<T>(Reading<Topic>::shape(question)), Reading<Topic>::template space<T>(question), index});
+  }
+  return [figures = std::move(figures)](std::optional<std::size_t> only, std::span<const Ray<T>> rays,
+                                        std::span<Nearest<T>> nearest) {
+    if (only) return meet_figure<Method>(figures[*only], rays, nearest);
+    for (const auto& figure : figures) meet_figure<Method>(figure, rays, nearest);
+  };
+}
+
 template <class Topic, class T>
-[[nodiscard]] std::unique_ptr<Figures<T>> make_figures(std::string_view method, const Members& members) {
-  std::unique_ptr<Figures<T>> figures;
+[[nodiscard]] Figures<T> make_figures(std::string_view method, const Members& members) {
+  Figures<T> figures;
   Topic::Methods::for_each([&]<class Method>(std::type_identity<Method>) {
-    if (method == Method::name) figures = std::make_unique<MethodFigures<Topic, Method, T>>(members);
+    if (method == Method::name) figures = figures_by<Method, Topic, T>(members);
   });
   return figures;
 }
 
-/// What a topic's shape brings to a scene.
 template <class Topic>
 [[nodiscard]] FigureKind figure_kind() {
   FigureKind kind{Topic::name, Topic::Plain::name};

@@ -3,7 +3,8 @@
 /// Figures of one shape, met by one method in one precision (the choice is made once a tile, not once a ray),
 /// and all figures of a scene: what rays of any kind are asked of.
 
-#include <memory>
+#include <functional>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -12,19 +13,10 @@
 
 namespace rayproof::render {
 
+/// Intersects one of the figures, or every one, with every ray; `nearest` has one element for each of them.
 template <class T>
-class Figures {
- public:
-  Figures() = default;
-  Figures(const Figures&) = delete;
-  Figures& operator=(const Figures&) = delete;
-  virtual ~Figures() = default;
-
-  /// Intersects every figure with every ray; `nearest` has one element for each of them.
-  virtual void meet_all(std::span<const Ray<T>> rays, std::span<Nearest<T>> nearest) const = 0;
-  /// Intersects one figure with one ray.
-  virtual void meet(std::size_t figure, const Ray<T>& ray, Nearest<T>& nearest) const = 0;
-};
+using Figures = std::function<void(std::optional<std::size_t> only, std::span<const Ray<T>> rays,
+                                   std::span<Nearest<T>> nearest)>;
 
 /// The objects of a scene that are of one shape.
 struct Members {
@@ -32,9 +24,9 @@ struct Members {
   std::vector<ObjectIndex> objects;
 };
 
-/// The method of that name over the objects; null where the shape has none of that name.
+/// The method of that name over the objects; none where the shape has none of that name.
 template <class T>
-using MakeFigures = std::unique_ptr<Figures<T>> (*)(std::string_view method, const Members& members);
+using MakeFigures = Figures<T> (*)(std::string_view method, const Members& members);
 
 /// What a shape brings to a scene.
 struct FigureKind {
@@ -58,7 +50,6 @@ struct FigureKind {
 /// Every shape that a ray can meet, in the order of the registries.
 [[nodiscard]] const std::vector<FigureKind>& figure_kinds();
 
-/// All figures of a scene, by shape.
 template <class T>
 class AllFigures {
  public:
@@ -80,10 +71,10 @@ class AllFigures {
   }
 
   void meet_all(std::span<const Ray<T>> rays, std::span<Nearest<T>> nearest) const {
-    for (const auto& group : groups_) group->meet_all(rays, nearest);
+    for (const Figures<T>& group : groups_) group({}, rays, nearest);
   }
   void meet(ObjectIndex object, const Ray<T>& ray, Nearest<T>& nearest) const {
-    groups_[places_[object].group]->meet(places_[object].figure, ray, nearest);
+    groups_[places_[object].group](places_[object].figure, {&ray, 1}, {&nearest, 1});
   }
 
  private:
@@ -91,15 +82,15 @@ class AllFigures {
     std::uint32_t group = 0, figure = 0;
   };
   std::vector<FigureIndex> places_;
-  std::vector<std::unique_ptr<Figures<T>>> groups_{};
+  std::vector<Figures<T>> groups_{};
 };
 
 /// Intersects the rays with all objects, or with those in their neighbourhood.
 template <class T>
-[[nodiscard]] std::vector<Nearest<T>> meet(const AllFigures<T>& figures, const Neighbourhood* neighbourhood,
+[[nodiscard]] std::vector<Nearest<T>> meet(const AllFigures<T>& figures, const Neighbourhood& neighbourhood,
                                            std::span<const Ray<T>> rays) {
   std::vector<Nearest<T>> nearest(rays.size());
-  if (neighbourhood == nullptr) {
+  if (!neighbourhood) {
     figures.meet_all(rays, nearest);
     return nearest;
   }
@@ -108,7 +99,7 @@ template <class T>
       figures.meet(object, rays[i], nearest[i]);
       return static_cast<double>(nearest[i].t);
     };
-    neighbourhood->visit(convert<double>(rays[i]), ask);
+    neighbourhood(convert<double>(rays[i]), ask);
   }
   return nearest;
 }

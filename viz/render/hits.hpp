@@ -6,13 +6,33 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <rayproof/objects/hull.hpp>
 #include <span>
 #include <string>
 
 #include "viz/picture/raster.hpp"
-#include "viz/render/neighbourhood.hpp"
+#include "viz/render/scene/scene_reader.hpp"
 
 namespace rayproof::render {
+
+/// What is done with an object that a ray comes near: takes its index and gives back the nearest t found so
+/// far, beyond which nothing matters.
+using Meet = std::function<double(ObjectIndex)>;
+
+/// Calls `meet` for every object whose box the ray meets, in any order, but for boxes that begin beyond the
+/// nearest t so far.
+using Neighbourhood = std::function<void(const Ray<double>& ray, const Meet& meet)>;
+
+/// A box around the object in the world: no point of the exact figure lies outside it. Nothing for a plane,
+/// or where a number is beyond what can be reasoned about.
+[[nodiscard]] std::optional<objects::Bounds> bounds_of(const Object& object);
+
+/// By the library's tree of boxes. With no margin it certainly leaves out no object that the exact ray meets;
+/// otherwise the boxes are larger by this part of the largest coordinates of boxes and ray's origin.
+[[nodiscard]] Neighbourhood bounds_tree(const RenderScene& scene, double margin = 0);
+
+/// The same by Embree. None in a build without it.
+[[nodiscard]] Neighbourhood embree_tree(const RenderScene& scene, double margin);
 
 /// The nearest hit of a ray so far; of two at the same t, that of the object which stands first in the scene.
 template <class T>
@@ -51,7 +71,6 @@ struct HitImage {
   }
 };
 
-/// How the work is done.
 struct Work {
   int jobs = 0;                             ///< threads; 0 for as many as the machine has
   const std::atomic<bool>* stop = nullptr;  ///< ends the work where it becomes true
@@ -59,7 +78,6 @@ struct Work {
       progress{};  ///< hears the share that is done; called by one thread at a time
 };
 
-/// The work was stopped before it was done.
 class Stopped : public std::exception {};
 
 /// The method for each shape: {"sphere", "centred"}.
@@ -78,20 +96,18 @@ inline constexpr std::size_t many_objects = 65;
 /// ray's origin.
 inline constexpr double method_margin = 0x1p-16;
 
-/// Hits by float methods in the scene's precision. `neighbourhood` may be null: then every object is tested
-/// against every ray. Throws Stopped.
+/// Hits by float methods in the scene's precision. With no neighbourhood every object is tested against every
+/// ray. Throws Stopped.
 [[nodiscard]] HitImage trace(const RenderScene& scene, const Methods& methods,
-                             const Neighbourhood* neighbourhood, const Work& work);
+                             const Neighbourhood& neighbourhood, const Work& work);
 
 /// The exact hits: of each pixel's rounded ray, t correctly rounded. Of two objects with the same rounded t
 /// it is the one that stands first in the scene. `neighbourhood` must leave out no object that the ray meets.
 /// Throws Stopped.
 [[nodiscard]] HitImage trace_exactly(const RenderScene& scene, const Neighbourhood& neighbourhood,
                                      const Work& work);
-
-/// The same of a single pixel.
 [[nodiscard]] ObjectIndex nearest_at(const RenderScene& scene, const Methods& methods,
-                                     const Neighbourhood* neighbourhood, int x, int y);
+                                     const Neighbourhood& neighbourhood, int x, int y);
 [[nodiscard]] ObjectIndex exact_nearest_at(const RenderScene& scene, const Neighbourhood& neighbourhood,
                                            int x, int y);
 
@@ -109,7 +125,6 @@ struct ExactHit {
   return std::isinf(t) ? HUGE_VAL : t + std::abs(t) * 0x1p-22 + 0x1p-148;
 }
 
-/// The ray of a pixel, in the scene's precision.
 [[nodiscard]] Ray<double> pixel_ray(const RenderScene& scene, int x, int y);
 
 /// Pixels (x, y) with left <= x < right and top <= y < bottom.
@@ -122,7 +137,6 @@ inline constexpr int tile_side = 32;
 /// The tiles of an image by rows: every pixel is in one of them, and in only one.
 [[nodiscard]] std::vector<Tile> tiles_of(int width, int height);
 
-/// Calls `body(x, y)` for each pixel of a tile, by rows.
 template <class Body>
 void for_each_pixel(const Tile& tile, Body&& body) {
   for (int y = tile.top; y < tile.bottom; ++y) {
@@ -133,10 +147,27 @@ void for_each_pixel(const Tile& tile, Body&& body) {
 /// Calls `body` for each tile, on several threads. Throws Stopped.
 void for_each_tile(int width, int height, const Work& work, const std::function<void(const Tile&)>& body);
 
-/// Calls `body(x, y)` for each pixel of an image, tile by tile.
 template <class Body>
 void for_each_pixel(int width, int height, const Work& work, Body&& body) {
   for_each_tile(width, height, work, [&](const Tile& tile) { for_each_pixel(tile, body); });
 }
+
+struct PixelHits {
+  ObjectIndex exact = no_object;    ///< the nearest object in truth
+  ObjectIndex claimed = no_object;  ///< the nearest object by the methods
+};
+
+/// Asks the oracle and the methods about one pixel, every object.
+[[nodiscard]] PixelHits hits_at(const RenderScene& scene, int x, int y, const Methods& methods);
+
+/// Which object a pixel's case is about: the exact one, or where nothing is there the methods' one; with
+/// neither, none.
+[[nodiscard]] inline ObjectIndex object_of(const PixelHits& hits) {
+  return hits.exact != no_object ? hits.exact : hits.claimed;
+}
+
+/// The case of pixel (x, y) and an object; its note says where it comes from and why this object.
+[[nodiscard]] Case pixel_case(const RenderScene& scene, int x, int y, ObjectIndex object,
+                              const PixelHits& hits);
 
 }  // namespace rayproof::render

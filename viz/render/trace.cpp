@@ -1,6 +1,3 @@
-/// \file
-/// Hits by float methods.
-
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -19,7 +16,7 @@ namespace rayproof::render {
 namespace {
 
 template <class T>
-HitImage trace_in(const RenderScene& scene, const Methods& methods, const Neighbourhood* neighbourhood,
+HitImage trace_in(const RenderScene& scene, const Methods& methods, const Neighbourhood& neighbourhood,
                   const Work& work) {
   HitImage image(scene.width, scene.height);
   const AllFigures<T> figures(scene, methods);
@@ -43,7 +40,7 @@ Nearest<double> exact_nearest(const RenderScene& scene, const Neighbourhood& nei
     if (hit.is_hit) nearest.take(hit.t, object);
     return beyond_rounding(nearest.t);
   };
-  neighbourhood.visit(ray, ask);
+  neighbourhood(ray, ask);
   return nearest;
 }
 
@@ -62,13 +59,13 @@ std::vector<std::string> renderable_methods() {
   return names;
 }
 
-HitImage trace(const RenderScene& scene, const Methods& methods, const Neighbourhood* neighbourhood,
+HitImage trace(const RenderScene& scene, const Methods& methods, const Neighbourhood& neighbourhood,
                const Work& work) {
   return in_precision(scene.precision,
                       [&]<class T>(T) { return trace_in<T>(scene, methods, neighbourhood, work); });
 }
 
-ObjectIndex nearest_at(const RenderScene& scene, const Methods& methods, const Neighbourhood* neighbourhood,
+ObjectIndex nearest_at(const RenderScene& scene, const Methods& methods, const Neighbourhood& neighbourhood,
                        int x, int y) {
   return in_precision(scene.precision, [&]<class T>(T) {
     const std::array<Ray<T>, 1> ray{PixelRays<T>(scene)(x, y)};

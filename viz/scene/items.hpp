@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,7 +18,6 @@ namespace rayproof::viz {
 
 using Items = std::vector<StageItem>;
 
-/// Puts more of them behind the others.
 template <class T>
 void append(std::vector<T>& list, const std::vector<T>& more) {
   list.insert(list.end(), more.begin(), more.end());
@@ -36,6 +36,12 @@ void append(std::vector<T>& list, const std::vector<T>& more) {
 }
 [[nodiscard]] inline StageItem polygon(Role role, std::vector<glm::dvec3> corners, std::string label = {}) {
   return {role, Form::polygon, std::move(corners), std::move(label)};
+}
+/// The same with a line around it.
+[[nodiscard]] inline Items outlined(Role role, std::vector<glm::dvec3> corners, std::string label = {}) {
+  StageItem ring{role, Form::polyline, corners};
+  ring.points.push_back(corners.front());
+  return {polygon(role, std::move(corners), std::move(label)), std::move(ring)};
 }
 /// What of an endless surface the view shows.
 [[nodiscard]] inline StageItem open_polygon(Role role, std::vector<glm::dvec3> corners) {
@@ -67,27 +73,48 @@ void append(std::vector<T>& list, const std::vector<T>& more) {
 /// of the picture: std::logic_error.
 class NumbersByName {
  public:
-  explicit NumbersByName(const Walkthrough& walk, std::size_t last_step);
+  explicit NumbersByName(const Walkthrough& walk, std::size_t last_step) {
+    for (const WalkValue& value : walk.inputs) take(value);
+    for (std::size_t i = 0; i <= last_step && i < walk.steps.size(); ++i) {
+      for (const WalkValue& value : walk.steps[i].values) take(value);
+    }
+  }
 
   [[nodiscard]] bool has(const std::string& name) const { return exact_.contains(name); }
-  [[nodiscard]] double operator[](const std::string& name) const;
-  /// The same as it was rounded.
-  [[nodiscard]] double rounded(const std::string& name) const;
+  [[nodiscard]] double operator[](const std::string& name) const { return find(exact_, name); }
+  [[nodiscard]] double rounded(const std::string& name) const { return find(rounded_, name); }
   /// The vector name.x, name.y, name.z; z is 0 of one that the kernel has in a plane.
-  [[nodiscard]] glm::dvec3 vector(const std::string& name) const;
+  [[nodiscard]] glm::dvec3 vector(const std::string& name) const {
+    const auto in_space = [&](const std::string& component) {
+      return has(component) ? (*this)[component] : 0.0;
+    };
+    return {(*this)[name + ".x"], (*this)[name + ".y"], in_space(name + ".z")};
+  }
   [[nodiscard]] bool has_vector(const std::string& name) const { return has(name + ".x"); }
 
   /// The same of a name that was given twice as it was at first: the case's own.
-  [[nodiscard]] glm::dvec3 input(const std::string& name) const { return first_vector(name); }
+  [[nodiscard]] glm::dvec3 input(const std::string& name) const {
+    return {find(first_, name + ".x"), find(first_, name + ".y"), find(first_, name + ".z")};
+  }
 
   /// The ray as the kernel sees it: in the shape's own space where the case has a transform.
-  [[nodiscard]] glm::dvec3 origin() const;
-  [[nodiscard]] glm::dvec3 direction() const;
+  [[nodiscard]] glm::dvec3 origin() const { return input(has_vector("o′") ? "o′" : "o"); }
+  // A plane has a d of its own; beside it the direction bears an arrow. A kernel may name a d of its own
+  // later.
+  [[nodiscard]] glm::dvec3 direction() const { return input("d"); }
   [[nodiscard]] glm::dvec3 at(double t) const { return origin() + t * direction(); }
 
  private:
-  void take(const WalkValue& value);
-  [[nodiscard]] glm::dvec3 first_vector(const std::string& name) const;
+  [[nodiscard]] static double find(const std::map<std::string, double>& numbers, const std::string& name) {
+    const auto found = numbers.find(name);
+    if (found == numbers.end()) throw std::logic_error("no kernel of this run names " + name);
+    return found->second;
+  }
+  void take(const WalkValue& value) {
+    first_.try_emplace(value.name, value.exact_value);
+    exact_[value.name] = value.exact_value;
+    rounded_[value.name] = value.value;
+  }
   std::map<std::string, double> exact_{}, rounded_{};
   std::map<std::string, double> first_{};  ///< of a name that was given twice the earlier one
 };
@@ -101,17 +128,9 @@ struct Binding {
   bool begins_anew = false;  ///< the items of the steps before would hide what this one shows
 };
 
-/// How a topic's named values look.
-[[nodiscard]] const std::vector<Binding>& bindings_of(const std::string& topic);
-
-/// The point of an ellipsoid that lies farthest in a direction.
-[[nodiscard]] glm::dvec3 farthest_of(const StageItem& ellipsoid, const glm::dvec3& direction);
-
 /// How far an item reaches: its points, and of an ellipsoid the points of its outline that lie farthest to
 /// each side as the camera sees it.
 [[nodiscard]] std::vector<glm::dvec3> extent_of(const StageItem& item, const StageCamera& camera);
-
-/// How far all of them reach.
 [[nodiscard]] std::vector<glm::dvec3> extent_of(const std::vector<StageItem>& items,
                                                 const StageCamera& camera);
 

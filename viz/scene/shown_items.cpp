@@ -4,7 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "viz/picture/clip.hpp"
+#include "viz/picture/picture.hpp"
+#include "viz/scene/label_places.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -85,7 +86,6 @@ class Labeller {
     if (frame_.holds(base)) places_.take(base, head_radius);
   }
 
-  /// The outline of one face.
   [[nodiscard]] std::vector<Point> ring_of(const StageItem& solid,
                                            const std::vector<std::size_t>& corners) const {
     StageItem face{solid.role, Form::polyline};

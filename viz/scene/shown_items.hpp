@@ -57,34 +57,4 @@ inline constexpr double bold_width = 1.12;
 /// two.
 [[nodiscard]] std::vector<std::string> wrapped(const std::string& text, double width, double size);
 
-/// Keeps account of what of a frame is taken.
-class LabelPlaces {
- public:
-  explicit LabelPlaces(const PixelBox& frame) : frame_(frame) {}
-
-  /// What no label may cover: a text, a mark.
-  void take(const PixelBox& box) { taken_.push_back(box); }
-  void take(const Point& at, double radius);
-  /// A line, which labels rather do not cover; `cost` for each place on it that one does.
-  void avoid(const std::vector<Point>& line, double cost);
-  /// A place for a label beside one of the anchors, of which the first are the best; it is then taken. What
-  /// `stands_there` stands at one where it covers nothing. Nothing where what it would cover costs more
-  /// than `most`.
-  [[nodiscard]] std::optional<Text> put(const std::string& label, const std::vector<Point>& anchors,
-                                        double size, double most, bool stands_there);
-
- private:
-  [[nodiscard]] Text take(const PixelBox& box, const std::string& label, double size);
-  /// What a label there costs, which keeps so far from lines; at least `most` where that is clear early.
-  [[nodiscard]] double cost_of(const PixelBox& box, double distance, double most) const;
-
-  PixelBox frame_;
-  std::vector<PixelBox> taken_{};
-  struct Avoided {
-    Point at;
-    double cost;
-  };
-  std::vector<Avoided> avoided_{};
-};
-
 }  // namespace rayproof::viz

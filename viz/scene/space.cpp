@@ -6,7 +6,7 @@
 #include <rayproof/box/slabs.hpp>
 #include <rayproof/formulas/finite.hpp>
 
-#include "viz/picture/clip.hpp"
+#include "viz/picture/picture.hpp"
 #include "viz/scene/items.hpp"
 
 namespace rayproof::viz {

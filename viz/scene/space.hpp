@@ -8,33 +8,10 @@
 #include <vector>
 
 #include "viz/scene/shown_items.hpp"
+#include "viz/scene/space_floor.hpp"
 #include "viz/scene/stage.hpp"
 
 namespace rayproof::viz {
-
-/// Level to an axis of the world, in the view's coordinates. The ground, the grid on it and the shadows on
-/// that lie a sheet apart.
-struct SpaceFloor {
-  int axis = 2;
-  double ground = 0;   ///< its coordinate on the axis
-  double grid = 0;     ///< the grid's
-  double shadows = 0;  ///< that of the shadows, which fall straight down
-  /// Where the grid's lines cross the axis after this one, and the one after that: at round coordinates of
-  /// the world.
-  std::array<std::vector<double>, 2> lines{};
-
-  [[nodiscard]] int across(std::size_t k) const { return (axis + 1 + static_cast<int>(k)) % 3; }
-};
-
-/// How far the floor reaches to each side, in the view's radii.
-inline constexpr double floor_reach = 5;
-
-/// Below the lowest of the points.
-[[nodiscard]] SpaceFloor floor_below(const std::vector<glm::dvec3>& points, const glm::dvec3& up,
-                                     const StageView& view);
-
-/// How far apart the grid's lines are in the world: 1, 2 or 5 times a power of ten.
-[[nodiscard]] double grid_step(double radius);
 
 /// How far around the view things are built, in its radii.
 inline constexpr double reach = 6;
@@ -72,7 +49,6 @@ struct SpaceCamera {
 
 using SpacePoints = std::vector<glm::dvec3>;
 
-/// A cone at an arrow's end.
 struct ArrowHead {
   glm::dvec3 base{};
   glm::dvec3 tip{};

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "viz/picture/clip.hpp"
+#include "viz/picture/picture.hpp"
 #include "viz/scene/items.hpp"
 
 namespace rayproof::viz {

@@ -8,7 +8,7 @@
 /// bit for bit: what a value holds is what the same kernel computes in plain `float` or `double`.
 ///
 ///     const CaseReport report = report_of(one, "sphere/centred");  // viz/programs/report_of.hpp
-///     const Stage stage = stage_of(report);                        // viz/walkthrough/stage_of.hpp
+///     const Stage stage = stage_of(report);                        // viz/walkthrough/lesson.hpp
 ///     for (const StageStep& step : stage.steps) …                  // what to show, and from where
 
 #include <array>
@@ -132,7 +132,6 @@ struct StageCamera {
   bool is_flat = false;        ///< the scene is a drawing in the plane of right and up: nothing to orbit
 };
 
-/// The staged walkthrough of one case.
 struct Stage {
   std::string name;      ///< of the lesson, "far-sphere"; of any other case the method with a dash
   std::string title;     ///< "A sphere, from the ray point nearest its centre"

@@ -57,6 +57,21 @@ bool may_end_at(const std::string& text, std::size_t space, double width, double
 
 }  // namespace
 
+std::string typeset(const std::string& text) {
+  constexpr std::string_view before = " (,=|/^";
+  std::string set;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool is_free = i == 0 || before.find(text[i - 1]) != std::string_view::npos || set.ends_with("·");
+    const char next = i + 1 < text.size() ? text[i + 1] : ' ';
+    const bool is_operator = next != ' ' || (i > 0 && text[i - 1] == ' ');
+    if (text[i] == '-' && next != '-' && is_free && is_operator)
+      set += "−";
+    else
+      set += text[i];
+  }
+  return set;
+}
+
 double text_width(const std::string& text, double size, bool bold) {
   double width = 0;
   for (const TextRun& run : runs_of(text)) {

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// What a shape looks like in space: the one thing that a shape brings to the pictures.
+/// What a shape looks like in space, the one thing that a shape brings to the pictures; and a ray beside it:
+/// from which side they are seen, and where the ray passes nearest to the outline.
 
 #include <array>
 #include <optional>
@@ -10,21 +11,36 @@
 #include <utility>
 #include <vector>
 
+#include "case/answer.hpp"
 #include "case/case.hpp"
-#include "viz/trace/shadow.hpp"
+#include "viz/scene/stage.hpp"
+#include "viz/trace/numbers.hpp"
 
 namespace rayproof::viz {
 
 /// A point or vector of the world, without rounding for all that a picture can show.
 using Place = vec3<Shadow>;
 
-[[nodiscard]] glm::dvec3 rounded(const Place& v);
-[[nodiscard]] std::vector<glm::dvec3> rounded(const std::vector<Place>& places);
-[[nodiscard]] Shadow length(const Place& v);
+[[nodiscard]] inline glm::dvec3 rounded(const Place& v) {
+  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+[[nodiscard]] inline std::vector<glm::dvec3> rounded(const std::vector<Place>& places) {
+  std::vector<glm::dvec3> points;
+  points.reserve(places.size());
+  for (const Place& p : places) points.push_back(rounded(p));
+  return points;
+}
+[[nodiscard]] inline Shadow length(const Place& v) { return sqrt(dot(v, v)); }
 /// Of length 1; 0 stays 0.
-[[nodiscard]] Place unit(const Place& v);
+[[nodiscard]] inline Place unit(const Place& v) {
+  const Shadow size = length(v);
+  return size == 0 ? v : Place{v.x / size, v.y / size, v.z / size};
+}
 /// A unit vector at right angles to a unit vector.
-[[nodiscard]] Place some_perpendicular(const Place& v);
+[[nodiscard]] inline Place some_perpendicular(const Place& v) {
+  const bool is_along_z = abs(v.x) < Shadow(0.5) && abs(v.y) < Shadow(0.5);
+  return unit(cross(v, is_along_z ? Place{1, 0, 0} : Place{0, 0, 1}));
+}
 
 /// The object-to-world map; the identity where a question has no transform.
 class World {
@@ -76,5 +92,27 @@ struct Figure {
 
 /// A box or parallelepiped. Edges of length 0 are allowed.
 [[nodiscard]] Figure solid_figure(const Place& corner, const std::array<Place, 3>& edges);
+
+struct RayScene {
+  Sight sight;
+  Figure figure;
+  Place along_ray;  ///< the direction, of unit length
+
+  [[nodiscard]] Place at(const Shadow& t) const { return point_at(sight.ray, t); }
+  [[nodiscard]] StageCamera camera() const;
+};
+[[nodiscard]] RayScene scene_of(const Case& one, const Answer* exact, const Answer* claimed);
+
+struct NearestPass {
+  const Border* border;  ///< of the scene's figure
+  Shadow t;
+  Place on_outline;
+  Shadow gap;
+};
+[[nodiscard]] std::optional<NearestPass> nearest_of(const RayScene& scene);
+
+/// From where neither the ray is seen end-on nor a surface with one of the given normals edge-on; the ray
+/// runs to the right. All are unit vectors.
+[[nodiscard]] StageCamera chosen_camera(const glm::dvec3& along_ray, const std::vector<glm::dvec3>& normals);
 
 }  // namespace rayproof::viz

@@ -19,8 +19,6 @@ Figure figure_of(const Sight& sight, const Sphere<double>& given);
 Figure figure_of(const Sight& sight, const rayproof::Box<double>& given);
 Figure figure_of(const Sight& sight, const Parallelepiped<double>& given);
 Figure figure_of(const Sight& sight, const Cylinder<double>& given);
-
-/// What the question's shape looks like.
 [[nodiscard]] Figure figure_of(const Sight& sight);
 
 /// The method's run on the case; nothing where the case's topic has no such method, or one that can't be

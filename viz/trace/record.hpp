@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "viz/trace/expression.hpp"
-#include "viz/trace/shadow.hpp"
+#include "viz/trace/numbers.hpp"
 #include "viz/trace/walkthrough.hpp"
 
 namespace rayproof::viz {
@@ -29,19 +29,8 @@ using Tape = Recording<Shadow>;
 [[nodiscard]] std::optional<PrecisionLoss> find_decisive_loss(const Tape& tape, OperationId result,
                                                               double least_bits);
 
-/// Names the loss of one operation.
-[[nodiscard]] PrecisionLoss describe_loss(const Tape& tape, OperationId id);
-
 /// Losses below this many bits are the everyday rounding of a few operations.
 inline constexpr double noteworthy = 3;
-
-/// The operations of a step, from 0.
-[[nodiscard]] std::vector<OperationId> operations_of_step(const Tape& tape, std::ptrdiff_t step);
-
-/// The operations of the number's own formula, itself first: from it back to numbers that have a name, to
-/// inputs, and to earlier steps.
-[[nodiscard]] std::vector<OperationId> operations_of_value(const Tape& tape, OperationId value);
-
 /// The operation that loses most; nothing where none loses a noteworthy number of bits. `arrived` is what the
 /// numbers lost that the operations arrive at: an operation whose result lost more than they did was made
 /// good, as compensated sums and products do, and is not meant.

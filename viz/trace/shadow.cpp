@@ -1,4 +1,4 @@
-#include "viz/trace/shadow.hpp"
+#include "viz/trace/numbers.hpp"
 
 #include <mpfr.h>
 

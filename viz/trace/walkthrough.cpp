@@ -11,6 +11,28 @@
 namespace rayproof::viz {
 namespace {
 
+std::vector<OperationId> operations_of_step(const Tape& tape, std::ptrdiff_t step) {
+  std::vector<OperationId> operations;
+  for (std::size_t i = 0; i < tape.operations.size(); ++i) {
+    if (tape.operations[i].step == step) operations.push_back(static_cast<OperationId>(i));
+  }
+  return operations;
+}
+
+/// The operations of the number's own formula, itself first: from it back to numbers that have a name, to
+/// inputs, and to earlier steps.
+std::vector<OperationId> operations_of_value(const Tape& tape, OperationId value) {
+  std::vector<OperationId> operations{value};
+  for (std::size_t next = 0; next < operations.size(); ++next) {
+    for (const OperationId id : tape.at(operations[next]).operands) {
+      const bool is_part =
+          id != unrecorded && tape.at(id).name.empty() && tape.at(id).step == tape.at(value).step;
+      if (is_part) operations.push_back(id);
+    }
+  }
+  return operations;
+}
+
 WalkValue value_of(const Tape& tape, OperationId id, const std::string& name) {
   const Operation<Shadow>& o = tape.at(id);
   const bool is_input = o.op == Operator::constant;
@@ -115,11 +137,6 @@ void judge(Walkthrough& walk, const Tape& tape, const Ending& ending) {
 
 }  // namespace
 
-std::string computed_as(const WalkValue& value) {
-  const std::string text = text_of(value.formula);
-  return text == value.name ? "" : text;
-}
-
 Walkthrough steps_of(const Tape& tape, Precision precision) {
   Walkthrough walk;
   walk.precision = precision;
@@ -152,23 +169,6 @@ Walkthrough walkthrough_of(const Tape& tape, const Ending& ending, Precision pre
   walk.is_decider_zero = tape.at(ending.discriminant).value == 0;
   judge(walk, tape, ending);
   return walk;
-}
-
-std::string verdict_sentence(const Walkthrough& walk) {
-  if (walk.outcome == Faithfulness::faithful) {
-    return std::isfinite(walk.lo) ? "Rounding changed the result of the formula by a few ulps at most."
-                                  : "Rounding is not to blame.";
-  }
-  const std::string consequence =
-      walk.outcome == Faithfulness::flipped
-          ? walk.decider + (walk.is_decider_zero ? " is left 0" : " is left with the wrong sign") +
-                ", and the verdict is wrong"
-          : fmt::format("the answer keeps {:.0f} of its {} bits",
-                        std::max(0.0, walk.digits - walk.answer_bits_lost), walk.digits);
-  if (!walk.decisive_loss)
-    return "No single operation is to blame, but roundings add up: " + consequence + ".";
-  return fmt::format("In step '{}' {}: {}.", walk.decisive_loss->step, in_words(*walk.decisive_loss),
-                     consequence);
 }
 
 }  // namespace rayproof::viz

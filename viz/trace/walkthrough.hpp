@@ -14,7 +14,6 @@
 
 namespace rayproof::viz {
 
-/// An operation with a significant loss of precision.
 struct PrecisionLoss {
   std::string step;           ///< the step's title
   std::string kind;           ///< "subtraction", "addition", "multiplication", …
@@ -48,10 +47,6 @@ struct WalkValue {
       loss{};  ///< the operation of its formula that loses most; none where none is worth it
 };
 
-/// The value's formula as text; empty for none, and where the value's name is the same.
-[[nodiscard]] std::string computed_as(const WalkValue& value);
-
-/// One step of the method, in the kernel's own words.
 struct WalkStep {
   std::string title;
   std::string meaning;    ///< in a sentence, its numbers put in
@@ -87,9 +82,5 @@ struct Walkthrough {
   std::optional<PrecisionLoss>
       worst_loss{};  ///< the operation that lost most, whether or not the answer hangs on it
 };
-
-/// "In step 'Form the discriminant' the subtraction b·b − 4·a·c loses 22 of 24 bits by cancellation: …", or
-/// that rounding changed little.
-[[nodiscard]] std::string verdict_sentence(const Walkthrough& walk);
 
 }  // namespace rayproof::viz

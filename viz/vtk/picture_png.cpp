@@ -15,9 +15,8 @@
 #include <array>
 #include <cmath>
 
-#include "viz/picture/clip.hpp"
+#include "viz/picture/picture.hpp"
 #include "viz/scene/shown_items.hpp"
-#include "viz/vtk/raster_png.hpp"
 #include "viz/vtk/sheet/picture_item.hpp"
 #include "viz/vtk/space/space_scene.hpp"
 
@@ -43,47 +42,37 @@ PixelBox triad_place(const PixelBox& frame, const std::vector<ShownItem>& shown,
   return found != corners.end() ? *found : corners[0];
 }
 
+void add_axes(vtkRenderer& triad) {
+  vtkNew<vtkAxesActor> axes;
+  axes->SetXAxisLabelText("x");
+  axes->SetYAxisLabelText("y");
+  axes->SetZAxisLabelText("z");
+  axes->SetNormalizedLabelPosition(1.3, 1.3, 1.3);
+  for (vtkCaptionActor2D* const caption :
+       {axes->GetXAxisCaptionActor2D(), axes->GetYAxisCaptionActor2D(), axes->GetZAxisCaptionActor2D()}) {
+    vtkTextProperty& text = *caption->GetCaptionTextProperty();
+    text.ItalicOff();
+    text.ShadowOff();
+    text.SetColor(0.1, 0.1, 0.1);
+    caption->SetWidth(0.3);
+    caption->SetHeight(0.2);
+  }
+  triad.AddActor(axes);
+  triad.SetInteractive(0);
+}
+
+/// Turns them as a scene's camera sees them.
+void turn(vtkRenderer& triad, vtkCamera& seen_by) {
+  vtkCamera& camera = *triad.GetActiveCamera();
+  camera.SetParallelProjection(1);
+  camera.SetParallelScale(1.55);
+  camera.SetFocalPoint(0, 0, 0);
+  camera.SetPosition(seen_by.GetViewPlaneNormal());
+  camera.SetViewUp(seen_by.GetViewUp());
+  camera.SetClippingRange(-3, 3);
+}
+
 }  // namespace
-
-/// VTK's own arrows x, y and z, seen as a renderer's camera sees its scene.
-class Triad {
- public:
-  Triad() {
-    vtkNew<vtkAxesActor> axes;
-    axes->SetXAxisLabelText("x");
-    axes->SetYAxisLabelText("y");
-    axes->SetZAxisLabelText("z");
-    axes->SetNormalizedLabelPosition(1.3, 1.3, 1.3);
-    for (vtkCaptionActor2D* const caption :
-         {axes->GetXAxisCaptionActor2D(), axes->GetYAxisCaptionActor2D(), axes->GetZAxisCaptionActor2D()}) {
-      vtkTextProperty& text = *caption->GetCaptionTextProperty();
-      text.ItalicOff();
-      text.ShadowOff();
-      text.SetColor(0.1, 0.1, 0.1);
-      caption->SetWidth(0.3);
-      caption->SetHeight(0.2);
-    }
-    renderer_->AddActor(axes);
-    renderer_->SetInteractive(0);
-  }
-
-  [[nodiscard]] vtkRenderer& renderer() { return *renderer_; }
-
-  /// As they are seen in `space`, or not at all.
-  void show(vtkRenderer& space, bool is_shown) {
-    renderer_->SetDraw(is_shown ? 1 : 0);
-    vtkCamera& camera = *renderer_->GetActiveCamera();
-    camera.SetParallelProjection(1);
-    camera.SetParallelScale(1.55);
-    camera.SetFocalPoint(0, 0, 0);
-    camera.SetPosition(space.GetActiveCamera()->GetViewPlaneNormal());
-    camera.SetViewUp(space.GetActiveCamera()->GetViewUp());
-    camera.SetClippingRange(-3, 3);
-  }
-
- private:
-  vtkNew<vtkRenderer> renderer_;
-};
 
 class PictureCanvas::Impl {
  public:
@@ -111,11 +100,12 @@ class PictureCanvas::Impl {
       put(*space, frame, picture);
       set_fine(*space, is_fine);
       const SpaceScene scene(*space, *stage, step);
-      triad->show(*space, !scene.is_flat());
+      triad->SetDraw(scene.is_flat() ? 0 : 1);
+      turn(*triad, *space->GetActiveCamera());
       const std::vector<ShownItem> shown = shown_in(*stage, step);
       const Outline outline = [&](const StageItem& item) { return scene.seen(item, frame); };
       const PixelBox corner = triad_place(frame, shown, outline);
-      put(triad->renderer(), corner, picture);
+      put(*triad, corner, picture);
       draw_labels(picture, frame, shown, outline,
                   scene.is_flat() ? std::optional<PixelBox>() : std::optional<PixelBox>(corner));
     }
@@ -131,27 +121,22 @@ class PictureCanvas::Impl {
   }
 
   void has_views(std::size_t count) {
-    for (; views_.size() > count; views_.pop_back()) {
-      window_->RemoveRenderer(views_.back().space);
-      window_->RemoveRenderer(&views_.back().triad->renderer());
-    }
+    for (; views_.size() > count; views_.pop_back())
+      for (const auto& renderer : views_.back()) window_->RemoveRenderer(renderer);
     while (views_.size() < count) {
-      View& view = views_.emplace_back();
-      for (vtkRenderer* const renderer : {view.space.GetPointer(), &view.triad->renderer()}) {
+      for (auto& renderer : views_.emplace_back()) {
+        renderer = vtkSmartPointer<vtkRenderer>::New();
         renderer->SetLayer(1);
         window_->AddRenderer(renderer);
       }
+      add_axes(*views_.back()[1]);
     }
   }
 
-  struct View {
-    vtkSmartPointer<vtkRenderer> space = vtkSmartPointer<vtkRenderer>::New();
-    std::unique_ptr<Triad> triad = std::make_unique<Triad>();
-  };
   vtkNew<PictureItem> item_;
   vtkNew<vtkContextActor> actor_;
   vtkNew<vtkRenderer> backdrop_, sheet_;
-  std::vector<View> views_;
+  std::vector<std::array<vtkSmartPointer<vtkRenderer>, 2>> views_;  ///< of each inlay the scene and its axes
   vtkNew<vtkRenderWindow> window_;
 };
 

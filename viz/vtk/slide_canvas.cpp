@@ -1,4 +1,4 @@
-#include "viz/vtk/slide_canvas.hpp"
+#include "viz/vtk/picture_png.hpp"
 
 #include <fmt/format.h>
 #include <vtkBase64Utilities.h>
@@ -6,18 +6,21 @@
 #include <vtkJPEGWriter.h>
 #include <vtkNew.h>
 #include <vtkOggTheoraWriter.h>
+#include <vtkPNGWriter.h>
+#include <vtkRenderWindow.h>
 #include <vtkSmartPointer.h>
 #include <vtkUnsignedCharArray.h>
+#include <vtkWindowToImageFilter.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "case/escape.hpp"
+#include "case/files.hpp"
 #include "viz/flat/stage_picture.hpp"
-#include "viz/picture/palette.hpp"
-#include "viz/vtk/raster_png.hpp"
+#include "viz/picture/picture.hpp"
 
 namespace rayproof::viz {
-
 namespace {
 
 /// The mean of the pixels at (x, y) and to its right and below.
@@ -30,8 +33,6 @@ Rgb mean_of_four(const Raster& raster, int x, int y) {
   }
   return mean;
 }
-
-constexpr PixelBox still_frame{0, 0, 640, 640 / view_aspect};
 
 std::string jpeg_of(const Raster& picture) {
   vtkNew<vtkJPEGWriter> writer;
@@ -49,11 +50,50 @@ std::string jpeg_of(const Raster& picture) {
 
 }  // namespace
 
-Raster SlideCanvas::draw(const Stage& stage, std::size_t step, bool is_fine) {
+vtkSmartPointer<vtkImageData> image_of(const Raster& raster) {
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(raster.width, raster.height, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (int y = 0; y < raster.height; ++y) {
+    auto* row = static_cast<unsigned char*>(image->GetScalarPointer(0, raster.height - 1 - y, 0));
+    for (int x = 0; x < raster.width; ++x) row = std::copy_n(raster.at(x, y).data(), 3, row);
+  }
+  return image;
+}
+
+Raster pixels_of(vtkRenderWindow& window) {
+  window.Render();
+  vtkNew<vtkWindowToImageFilter> filter;
+  filter->SetInput(&window);
+  filter->SetInputBufferTypeToRGB();
+  filter->ReadFrontBufferOff();
+  filter->Update();
+  vtkImageData& image = *filter->GetOutput();
+  const int* const size = image.GetDimensions();
+  Raster raster(size[0], size[1], {});
+  for (int y = 0; y < raster.height; ++y) {
+    // VTK's first row is the lowest.
+    const auto* row = static_cast<const unsigned char*>(image.GetScalarPointer(0, raster.height - 1 - y, 0));
+    for (int x = 0; x < raster.width; ++x, row += 3) std::copy_n(row, 3, raster.at(x, y).begin());
+  }
+  return raster;
+}
+
+void write_png(const Raster& raster, const std::string& path) {
+  vtkNew<vtkPNGWriter> writer;  // to memory: it would delete a file that it fails to write
+  writer->WriteToMemoryOn();
+  writer->SetInputData(image_of(raster));
+  writer->Write();
+  vtkUnsignedCharArray& png = *writer->GetResult();
+  const auto size = static_cast<std::size_t>(png.GetNumberOfValues());
+  write_file(path, {reinterpret_cast<const char*>(png.GetPointer(0)), size});
+}
+
+Raster draw_slide(PictureCanvas& canvas, const Stage& stage, std::size_t step, double width, bool is_fine) {
   const PixelBox scene = slide_scene_of(stage.steps.at(step));
   Picture sheet = slide_frame(stage, step, stage.title, scene);
   draw_legend(sheet, stage, step);
-  return canvas_.draw(sheet, {{&stage, step, scene}}, width_ / slide_width, is_fine);
+  return canvas.draw(sheet, {{&stage, step, scene}}, width / slide_width, is_fine);
 }
 
 Raster contact_sheet(const std::vector<Raster>& slides) {
@@ -75,10 +115,8 @@ Raster contact_sheet(const std::vector<Raster>& slides) {
 }
 
 std::string still_of(PictureCanvas& canvas, const Stage& stage, std::size_t step) {
-  Picture labels;
-  labels.width = still_frame.width;
-  labels.height = still_frame.height;
-  const Raster picture = canvas.draw(labels, {{&stage, step, still_frame}}, 1);
+  constexpr PixelBox frame{0, 0, 640, 640 / view_aspect};
+  const Raster picture = canvas.draw({frame.width, frame.height}, {{&stage, step, frame}}, 1);
   return fmt::format("<img width=\"{}\" height=\"{}\" alt=\"{}\" src=\"data:image/jpeg;base64,{}\">",
                      picture.width, picture.height, escaped(stage.steps[step].caption), jpeg_of(picture));
 }

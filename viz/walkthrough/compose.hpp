@@ -25,7 +25,6 @@ template <class Run>
   });
 }
 
-/// The ray with its origin and direction by name.
 template <class R>
 [[nodiscard]] Ray<R> named_ray(const Ray<double>& given) {
   Ray<R> ray = convert<R>(given);
@@ -34,7 +33,6 @@ template <class R>
   return ray;
 }
 
-/// A point of a plane by name.
 template <class R>
 [[nodiscard]] Vec2<R> named_point(const std::string& name, const Vec2<double>& p) {
   return {named((name + ".x").c_str(), R(p.x)), named((name + ".y").c_str(), R(p.y))};
@@ -43,6 +41,9 @@ template <class R>
 /// The stage of a composed run: the given case's scene, a first step with the inputs, and the run's steps.
 /// Each of the setting's bindings must draw something that the run records: std::logic_error.
 [[nodiscard]] Stage composed_stage(const CaseReport& report, const Walkthrough& walk, const Setting& setting);
+
+/// The same, and a last step on how far the run's own values differ from the exact ones.
+[[nodiscard]] Stage run_stage(const CaseReport& report, const Walkthrough& walk, const Setting& setting);
 
 /// The place of the step whose title begins so: std::logic_error where there is none.
 template <class Steps>
@@ -56,23 +57,16 @@ template <class Steps>
 /// The latest value of that name in a run: std::logic_error where there is none.
 [[nodiscard]] const WalkValue& value_named(std::string_view name, const Walkthrough& walk);
 
-/// Lets the step whose title begins so show items of another space at the right of all that is in the world;
-/// the next step begins anew.
-void show_beside(Stage& stage, const std::string& title, const Items& items);
-
 /// A last step on how far the run's own values differ from the exact ones: the one that lost most, magnified.
 [[nodiscard]] StageStep difference_of_values(const Walkthrough& walk, const Setting& setting,
                                              Precision precision);
 
 /// A drawing in the plane of the screen, of its own scene.
-[[nodiscard]] inline Setting plot_setting(const CaseReport& report) {
-  Setting setting = setting_of(report);
-  setting.camera = {};
-  setting.camera.is_flat = true;
-  setting.scene.clear();
-  setting.near = setting.wide = {{0, 0, 0}, 0.8};
-  setting.to_world = [](const glm::dvec3& p) { return p; };
-  return setting;
+[[nodiscard]] inline Setting plot_setting() {
+  return {.camera = {.is_flat = true},
+          .near = {{0, 0, 0}, 0.8},
+          .wide = {{0, 0, 0}, 0.8},
+          .to_world = [](const glm::dvec3& p) { return p; }};
 }
 
 /// The surface and the ray up to t_end, with a slider over the same.

@@ -6,7 +6,6 @@
 #include "viz/explain/case_report.hpp"
 #include "viz/scene/items.hpp"
 #include "viz/trace/numbers.hpp"
-#include "viz/walkthrough/difference_gap.hpp"
 #include "viz/walkthrough/setting.hpp"
 #include "viz/walkthrough/stage_values.hpp"
 
@@ -121,7 +120,6 @@ std::string hits_in_words(const CaseReport& report) {
   return words;
 }
 
-/// Whether the two look like one point.
 bool is_hidden(const ValuePair& pair, const Setting& setting) {
   if (!setting.slider) return false;
   const double gap = std::abs(pair.claimed - pair.exact) * glm::length(setting.slider->direction);

@@ -1,4 +1,4 @@
-#include "viz/walkthrough/difference_gap.hpp"
+#include "viz/walkthrough/setting.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,6 @@
 
 #include "viz/scene/items.hpp"
 #include "viz/trace/numbers.hpp"
-#include "viz/walkthrough/setting.hpp"
 #include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {

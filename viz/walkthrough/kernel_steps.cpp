@@ -1,4 +1,4 @@
-#include "viz/walkthrough/stage_of.hpp"
+#include "viz/walkthrough/lesson.hpp"
 
 #include <fmt/format.h>
 
@@ -12,6 +12,19 @@
 
 namespace rayproof::viz {
 namespace {
+
+/// Gives the value its formula, a vector one for all its components, and the numbers in it.
+void put_numbers_in(StageValue& value, Precision precision) {
+  std::vector<Formula> formulas;
+  for (const WalkValue& component : value.components) formulas.push_back(component.formula);
+  value.formula = formulas.size() == 1 ? formulas[0] : vector_formula(formulas);
+  value.put_in = with_numbers(value.formula, precision);
+}
+
+/// Whether it has a formula that says more than its name.
+bool has_formula(const StageValue& value) {
+  return value.formula != nullptr && text_of(value.formula) != value.name;
+}
 
 /// More letters than this a slide has no room for below its picture.
 constexpr std::size_t most_letters = 310;
@@ -131,26 +144,15 @@ std::string digits_of(const std::vector<StageValue>& values, const std::optional
                             : loss_sentence(loss);
 }
 
-std::vector<StageValue> step_values(const Walkthrough& walk, std::size_t index, Precision precision) {
-  std::vector<StageValue> values = grouped(walk.steps[index].values);
-  for (StageValue& value : values) put_numbers_in(value, precision);
-  return values;
-}
-
 }  // namespace
-
-std::size_t count_parts(const CaseReport& report, const Walkthrough& walk, std::size_t index,
-                        const Setting& setting) {
-  const NumbersByName n(walk, index);
-  return parts_of(step_values(walk, index, report.one.precision), n, setting).size();
-}
 
 std::vector<StageStep> kernel_steps(const CaseReport& report, const Walkthrough& walk, std::size_t index,
                                     const Setting& setting, bool is_split) {
   const NumbersByName n(walk, index);
   const std::string& title = walk.steps[index].title;
   const Precision precision = report.one.precision;
-  const std::vector<StageValue> values = step_values(walk, index, precision);
+  std::vector<StageValue> values = grouped(walk.steps[index].values);
+  for (StageValue& value : values) put_numbers_in(value, precision);
   const auto parts = is_split ? parts_of(values, n, setting) : std::vector<std::vector<StageValue>>{values};
   const std::vector<std::string> words = words_of(walk.steps[index].meaning, parts);
   std::vector<StageStep> steps;

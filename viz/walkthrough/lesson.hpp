@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// The lessons: teaching cases with the method that shows them best.
+/// Stages: of a case report, of a case in few views, of a formula as a source prints it beside the right one;
+/// and the lessons, teaching cases with the method that shows them best.
 
 #include <array>
 #include <functional>
@@ -10,6 +11,7 @@
 
 #include "viz/explain/case_report.hpp"
 #include "viz/scene/stage.hpp"
+#include "viz/walkthrough/setting.hpp"
 
 namespace rayproof::viz {
 
@@ -35,6 +37,9 @@ struct Lesson {
   Stage (*compose)(const Case& one, const ReportCase& report_on) = nullptr;
   std::vector<LessonNote> notes{};
   std::string beside{};  ///< the right method, where `method` is one with a source's error
+  /// What a composed stage says of itself: the title of its first step, what ran, its source, its conclusion;
+  /// empty where the composer says it, or the report.
+  std::string first{}, runs{}, source{}, conclusion{};
 };
 
 /// In the order of teaching, those of a group together.
@@ -42,8 +47,6 @@ struct Lesson {
 
 /// The lessons of that name, or of that group, or all of them for "all"; none where there is no such topic.
 [[nodiscard]] std::vector<const Lesson*> lessons_of(std::string_view topic);
-
-/// The stage of a lesson, made from its own case.
 [[nodiscard]] Stage stage_of(const Lesson& lesson, const ReportCase& report_on);
 
 /// lessons/lessons.json, put into the program when it is configured.
@@ -57,7 +60,6 @@ Compose barycentric_stage, parity_stage, printed_stage, polygon_stage, segment_s
 Compose digits_stage, leak_stage, leaving_stage, acne_stage, map_stage, test_stage;
 Compose intervals_stage, transformed_stage, normal_stage, torus_stage, patch_stage;
 
-/// A lesson by its name, and what composes it.
 struct Composer {
   std::string_view lesson;
   Compose* compose;
@@ -86,5 +88,27 @@ inline constexpr std::array composers{
     Composer{"implicit-torus", torus_stage},
     Composer{"parametric-patch", patch_stage},
 };
+
+/// The stage of a case, its exact answer, and a method's answer and run, where there is a method. Any valid
+/// case has one: without a method, or with one that can't be recorded, it has the first and the last step.
+[[nodiscard]] Stage stage_of(const CaseReport& report);
+
+/// Lets every near step see a little more where a step's items reach beyond the shape's own view: the same
+/// for all of them, so that nothing jumps.
+void widen_views(Stage& stage, const Setting& setting);
+
+/// The stage of a method on the case, with only those steps that differ from `right`'s, then the steps of
+/// `right` that differ from its.
+[[nodiscard]] Stage stage_beside(const Case& one, const ReportCase& report_on, const std::string& method,
+                                 const std::string& right);
+
+/// A stage without a slider, whose steps are the views: the shape with both answers' hits; all with the ray's
+/// start, where that is much larger; and what differs, magnified, where it is too small to be seen.
+[[nodiscard]] Stage case_views(const CaseReport& report);
+
+/// Step `index` of the walkthrough on the setting's stage, whole or in parts, each of which draws one new
+/// thing.
+[[nodiscard]] std::vector<StageStep> kernel_steps(const CaseReport& report, const Walkthrough& walk,
+                                                  std::size_t index, const Setting& setting, bool is_split);
 
 }  // namespace rayproof::viz

@@ -19,14 +19,14 @@ T value_at(const std::vector<double>& coefficients, double t) {
   return sum;
 }
 
-}  // namespace
-
 glm::dvec3 point_on(const StageSlider& slider, double t, Precision precision) {
   return in_precision(precision, [&]<class T>(T) {
     const Ray<T> ray{vec3<T>(slider.origin), vec3<T>(slider.direction)};
     return glm::dvec3(point_at(ray, T(t)));
   });
 }
+
+}  // namespace
 
 double neighbour_of(double t, int count, Precision precision) {
   return in_precision(precision, [&]<class T>(T) {

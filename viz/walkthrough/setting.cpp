@@ -5,10 +5,10 @@
 
 #include "viz/explain/case_report.hpp"
 #include "viz/scene/items.hpp"
-#include "viz/shapes/ray_scene.hpp"
+#include "viz/shapes/figure.hpp"
 #include "viz/shapes/topics.hpp"
 #include "viz/trace/numbers.hpp"
-#include "viz/walkthrough/difference_gap.hpp"
+#include "viz/walkthrough/bindings.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -145,7 +145,6 @@ StepSpace object_space_of(const CaseReport& report, const Setting& setting, cons
           [items](const NumbersByName& /*n*/) { return items; }, [](const glm::dvec3& p) { return p; }};
 }
 
-/// The spaces in which a run computes.
 std::vector<StepSpace> spaces_of(const CaseReport& report, const Setting& setting) {
   std::vector<StepSpace> spaces;
   if (!report.walk) return spaces;

@@ -51,8 +51,9 @@ Items weights(const NumbersByName& n, const glm::dvec3& normal) {
 }  // namespace
 
 Items triangle_items(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-  return {polygon(Role::surface, {a, b, c}), polyline(Role::surface, {a, b, c, a}),
-          point(Role::surface, a, "a"), point(Role::surface, b, "b"), point(Role::surface, c, "c")};
+  Items items = outlined(Role::surface, {a, b, c});
+  append(items, {point(Role::surface, a, "a"), point(Role::surface, b, "b"), point(Role::surface, c, "c")});
+  return items;
 }
 
 std::function<glm::dvec3(const glm::dvec3&)> flat_on(const StageCamera& camera) {

@@ -1,4 +1,4 @@
-#include "viz/walkthrough/stage_of.hpp"
+#include "viz/walkthrough/lesson.hpp"
 
 #include <fmt/format.h>
 
@@ -53,7 +53,6 @@ std::string name_of(const CaseReport& report) {
   return name;
 }
 
-/// All but the steps.
 Stage bare_stage(const CaseReport& report, const Setting& setting) {
   Stage stage;
   stage.name = name_of(report);
@@ -87,10 +86,10 @@ void add_steps(Stage& stage, const CaseReport& report, const Walkthrough& walk, 
     if (space != before) earlier.clear();
     before = space;
     const Setting here = space != nullptr ? in_space(setting, *space) : setting;
-    const std::size_t more = count_parts(report, walk, i, here) - 1;
-    const bool is_split = more <= room;
-    if (is_split) room -= more;
-    for (StageStep& step : kernel_steps(report, walk, i, here, is_split)) {
+    std::vector<StageStep> parts = kernel_steps(report, walk, i, here, true);
+    if (parts.size() - 1 > room) parts = kernel_steps(report, walk, i, here, false);
+    room -= parts.size() - 1;
+    for (StageStep& step : parts) {
       if (space != nullptr) show_in_space(step, *space, NumbersByName(walk, i), setting.camera, earlier);
       stage.steps.push_back(std::move(step));
     }

@@ -56,17 +56,6 @@ std::vector<std::string> split_words(const std::string& sentence) {
 
 }  // namespace
 
-void put_numbers_in(StageValue& value, Precision precision) {
-  std::vector<Formula> formulas;
-  for (const WalkValue& component : value.components) formulas.push_back(component.formula);
-  value.formula = formulas.size() == 1 ? formulas[0] : vector_formula(formulas);
-  value.put_in = with_numbers(value.formula, precision);
-}
-
-bool has_formula(const StageValue& value) {
-  return value.formula != nullptr && text_of(value.formula) != value.name;
-}
-
 std::string formula_beside_name(const StageValue& value) {
   const auto bare = [](std::string text) {
     std::erase(text, ' ');

@@ -14,12 +14,7 @@ namespace rayproof::viz {
 /// Values named name.x, name.y, name.z together, in the order of naming.
 [[nodiscard]] std::vector<StageValue> grouped(const std::vector<WalkValue>& values);
 
-/// Gives the value its formula, a vector one for all its components, and the numbers in it.
-void put_numbers_in(StageValue& value, Precision precision);
-
-/// Whether it has a formula that says more than its name.
-[[nodiscard]] bool has_formula(const StageValue& value);
-/// Its text, where it says more than the name: "1/d" is 1 / d, and "min - o" min − o.
+/// The value's formula, where it says more than the name: "1/d" is 1 / d, and "min - o" min − o.
 [[nodiscard]] std::string formula_beside_name(const StageValue& value);
 
 /// The rounded number as the shortest decimal that reads back as it; a vector's in parentheses.
@@ -27,8 +22,6 @@ void put_numbers_in(StageValue& value, Precision precision);
 
 /// The exact number as exact_beside writes it; a vector's in parentheses.
 [[nodiscard]] std::string exact_of(const StageValue& value);
-
-/// The component that has lost most.
 [[nodiscard]] const WalkValue& worst_component(const StageValue& value);
 
 /// What the values' own formulas lost, whatever else their step lost in other parts.
@@ -46,7 +39,6 @@ void put_numbers_in(StageValue& value, Precision precision);
 /// How many letters a text has; combining marks are none.
 [[nodiscard]] std::size_t letters_of(const std::string& text);
 
-/// One quantity at the slider's place.
 struct LiveValue {
   std::string label;    ///< "p(t)"
   std::string rounded;  ///< operation by operation in the case's precision: the shortest decimal of it
@@ -56,10 +48,6 @@ struct LiveValue {
 /// The numbers at `t`, a number of the case's precision. The point is `origin + t·direction`, rounded as
 /// rayproof::point_at rounds it; a readout is its polynomial by Horner's rule.
 [[nodiscard]] std::vector<LiveValue> live_values(const StageSlider& slider, double t, Precision precision);
-
-/// The point as the precision has it.
-[[nodiscard]] glm::dvec3 point_on(const StageSlider& slider, double t, Precision precision);
-
 /// The number of the precision `count` places after t (before it, where negative).
 [[nodiscard]] double neighbour_of(double t, int count, Precision precision);
 

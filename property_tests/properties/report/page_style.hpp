@@ -10,7 +10,7 @@
 namespace rayproof {
 
 /// Colours that the colour-blind can distinguish; ink, paper, soft, claimed and exact are those of the
-/// pictures (viz/picture/palette.hpp).
+/// pictures (viz/picture/picture.hpp).
 inline constexpr const char* page_style = R"css(
 :root { color-scheme: light dark; --ink: #16181c; --paper: #fff; --soft: #5a626c; --line: #c9ced6; --panel: #f4f6f8;
         --claimed: #b84a00; --exact: #00734f; --known: #6a4a00; --bad: #a8123e; }

@@ -67,9 +67,9 @@ TEST(Bounds, EachObjectNearTheRayIsAskedOnce) {
     ++asked[object];
     return HUGE_VAL;
   };
-  tree->visit({{-10, 0, 0}, {1, 0, 0}}, meet);
+  tree({{-10, 0, 0}, {1, 0, 0}}, meet);
   EXPECT_EQ(asked, std::vector<int>(101, 1)) << "through all of them";
-  tree->visit({{30, 0, 10}, {0, 0, -1}}, meet);
+  tree({{30, 0, 10}, {0, 0, -1}}, meet);
   EXPECT_EQ(std::count(asked.begin(), asked.end(), 2), 2) << "one sphere and the plane";
 }
 

@@ -1,5 +1,5 @@
 #ifdef RAYPROOF_HAS_VTK
-#include "viz/vtk/render/error_window.hpp"
+#include "viz/vtk/render/error_figure.hpp"
 
 #include <gtest/gtest.h>
 #include <vtkCommand.h>

@@ -14,7 +14,7 @@ class Errors : public SceneFiles {
     Methods methods = default_methods();
     methods[shape] = method;
     const auto tree = bounds_tree(scene);
-    return find_errors(scene, trace_exactly(scene, *tree, {}), trace(scene, methods, nullptr, {}), {});
+    return find_errors(scene, trace_exactly(scene, tree, {}), trace(scene, methods, nullptr, {}), {});
   }
 };
 
@@ -61,7 +61,7 @@ TEST_F(Errors, TheFormulasAsPrintedAreWrongInTheirOwnWays) {
 TEST_F(Errors, ATieIsNoWrongObject) {
   const RenderScene twins = scene(scene_text(sphere_entry + ", " + sphere_entry));
   const auto tree = bounds_tree(twins);
-  const HitImage exact = trace_exactly(twins, *tree, {});
+  const HitImage exact = trace_exactly(twins, tree, {});
   HitImage other = exact;
   for (ObjectIndex& object : other.object) object = object == no_object ? object : 1;
   const ErrorImage errors = find_errors(twins, exact, other, {});

@@ -18,7 +18,7 @@ Totals totals_of(const std::string& file, const std::string& shape, const std::s
   Methods methods = default_methods();
   methods[shape] = method;
   const auto tree = bounds_tree(scene);
-  return find_errors(scene, trace_exactly(scene, *tree, {}), trace(scene, methods, nullptr, {}), {}).totals;
+  return find_errors(scene, trace_exactly(scene, tree, {}), trace(scene, methods, nullptr, {}), {}).totals;
 }
 
 TEST(TeachingScenes, TheFarSphereHasRingsByTheTextbookAndNoneByTheCentredMethod) {

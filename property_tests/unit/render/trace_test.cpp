@@ -3,7 +3,7 @@
 #include "subjects/subject.hpp"
 #include "unit/render/scenes.hpp"
 #include "viz/render/errors.hpp"
-#include "viz/render/pixel_case.hpp"
+#include "viz/render/hits.hpp"
 
 namespace rayproof::render {
 namespace {
@@ -34,7 +34,7 @@ TEST_F(Trace, OfTwoAtTheSameTItTakesTheFirst) {
   const RenderScene twins = scene(scene_text(sphere_entry + ", " + sphere_entry));
   const auto tree = bounds_tree(twins);
   for (const HitImage& hits :
-       {trace(twins, default_methods(), nullptr, {}), trace_exactly(twins, *tree, {})}) {
+       {trace(twins, default_methods(), nullptr, {}), trace_exactly(twins, tree, {})}) {
     EXPECT_EQ(std::count(hits.object.begin(), hits.object.end(), 1U), 0);
     EXPECT_GT(std::count(hits.object.begin(), hits.object.end(), 0U), 20);
   }
@@ -45,7 +45,7 @@ TEST_F(Trace, EveryPixelIsTheSameForOneJobAndForMore) {
   const auto tree = bounds_tree(mixed);
   expect_same(trace(mixed, default_methods(), nullptr, {1, nullptr, {}}),
               trace(mixed, default_methods(), nullptr, {2, nullptr, {}}));
-  expect_same(trace_exactly(mixed, *tree, {1, nullptr, {}}), trace_exactly(mixed, *tree, {3, nullptr, {}}));
+  expect_same(trace_exactly(mixed, tree, {1, nullptr, {}}), trace_exactly(mixed, tree, {3, nullptr, {}}));
 }
 
 TEST_F(Trace, EachPixelIsWhatTheMethodAnswersToItsCase) {
@@ -74,13 +74,13 @@ TEST_F(Trace, ATreeAndEmbreeLeaveOutNoHit) {
         scene(scene_text(many_spheres(12) + "," + mixed_entries, "[96, 72]"), {precision, {}});
     ASSERT_GE(many.objects.size(), many_objects);
     const HitImage all = trace(many, default_methods(), nullptr, {});
-    expect_same(all, trace(many, default_methods(), bounds_tree(many, method_margin).get(), {}));
+    expect_same(all, trace(many, default_methods(), bounds_tree(many, method_margin), {}));
     const auto embree = embree_tree(many, method_margin);
 #ifdef RAYPROOF_HAS_EMBREE
-    ASSERT_NE(embree, nullptr);
-    expect_same(all, trace(many, default_methods(), embree.get(), {}));
+    ASSERT_TRUE(embree);
+    expect_same(all, trace(many, default_methods(), embree, {}));
 #else
-    EXPECT_EQ(embree, nullptr);
+    EXPECT_FALSE(embree);
 #endif
   }
 }
@@ -88,7 +88,7 @@ TEST_F(Trace, ATreeAndEmbreeLeaveOutNoHit) {
 TEST_F(Trace, TheExactImageIsTheOraclesWithNobodyLeftOut) {
   const RenderScene mixed = scene(scene_text(mixed_entries + "," + many_spheres(4), "[30, 22]"));
   const auto tree = bounds_tree(mixed);
-  const HitImage hits = trace_exactly(mixed, *tree, {});
+  const HitImage hits = trace_exactly(mixed, tree, {});
   for (int y = 0; y < mixed.height; ++y) {
     for (int x = 0; x < mixed.width; ++x) {
       double nearest = HUGE_VAL;
@@ -110,8 +110,8 @@ TEST_F(Trace, FortyThousandObjectsAreSearchedThroughATree) {
   ASSERT_EQ(crowd.objects.size(), 40'000U);
   const auto tree = bounds_tree(crowd);
   const auto near = bounds_tree(crowd, method_margin);
-  const ErrorImage errors = find_errors(crowd, trace_exactly(crowd, *tree, {}),
-                                        trace(crowd, default_methods(), near.get(), {}), {});
+  const ErrorImage errors =
+      find_errors(crowd, trace_exactly(crowd, tree, {}), trace(crowd, default_methods(), near, {}), {});
   EXPECT_GT(errors.totals.exact_hits, 1000U);
   EXPECT_EQ(errors.totals.wrong_hits, 0U);
   EXPECT_LT(errors.totals.wrong(), 10U);
@@ -120,8 +120,8 @@ TEST_F(Trace, FortyThousandObjectsAreSearchedThroughATree) {
 TEST_F(Trace, AnEmptySceneSeesNothing) {
   const RenderScene empty = scene(scene_text(""));
   const auto tree = bounds_tree(empty);
-  for (const HitImage& hits : {trace(empty, default_methods(), nullptr, {}), trace_exactly(empty, *tree, {}),
-                               trace(empty, default_methods(), tree.get(), {})})
+  for (const HitImage& hits : {trace(empty, default_methods(), nullptr, {}), trace_exactly(empty, tree, {}),
+                               trace(empty, default_methods(), tree, {})})
     EXPECT_EQ(std::count(hits.object.begin(), hits.object.end(), no_object), 40 * 30);
 }
 

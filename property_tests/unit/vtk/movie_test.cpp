@@ -1,4 +1,4 @@
-#include "viz/vtk/slide_canvas.hpp"
+#include "viz/vtk/picture_png.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "viz/vtk/raster_png.hpp"
+#include "viz/vtk/picture_png.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -2,8 +2,8 @@
 /// \file
 /// What a window shows, pixel by pixel.
 
-#include "viz/picture/palette.hpp"
-#include "viz/vtk/raster_png.hpp"
+#include "viz/picture/picture.hpp"
+#include "viz/vtk/picture_png.hpp"
 #include "viz/vtk/window/stage_window.hpp"
 
 namespace rayproof::viz {

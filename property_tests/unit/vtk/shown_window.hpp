@@ -13,8 +13,8 @@
 #include "unit/viz/player/player.hpp"
 #include "viz/flat/stage_picture.hpp"
 #include "viz/vtk/offscreen_display.hpp"
-#include "viz/vtk/window/buttons.hpp"
 #include "viz/vtk/window/stage_window.hpp"
+#include "viz/vtk/window/widgets.hpp"
 
 namespace rayproof::viz {
 

@@ -15,11 +15,10 @@
 #include "unit/viz/stage_data.hpp"
 #include "viz/scene/items.hpp"
 #include "viz/vtk/offscreen_display.hpp"
-#include "viz/vtk/slide_canvas.hpp"
+#include "viz/vtk/picture_png.hpp"
 #include "viz/vtk/space/geometry.hpp"
 #include "viz/vtk/space/space_scene.hpp"
 #include "viz/walkthrough/lesson.hpp"
-#include "viz/walkthrough/stage_of.hpp"
 
 namespace {
 
@@ -159,7 +158,8 @@ bool is_dark_blue(const Rgb& c) { return c[0] < 50 && c[1] < 90 && c[2] > c[0] +
 TEST(Slide, ShowsTheRayInTheBallThroughItsSurface) {
   const OffscreenDisplay display;
   const Stage stage = stage_of(*lessons_of("sphere").front(), report_lesson);
-  const Raster slide = SlideCanvas().draw(stage, 0);
+  PictureCanvas canvas;
+  const Raster slide = draw_slide(canvas, stage, 0);
   EXPECT_EQ(slide.width, 1600);
   EXPECT_EQ(slide.height, 900);
   EXPECT_GT(count(slide, is_bluish), 50000);    // the ball
@@ -169,10 +169,10 @@ TEST(Slide, ShowsTheRayInTheBallThroughItsSurface) {
 
 TEST(Slide, ShowsEveryShape) {
   const OffscreenDisplay display;
-  SlideCanvas canvas;
+  PictureCanvas canvas;
   for (const std::string& type : ray_topics()) {
     const Stage stage = stage_of(report_lesson(with_shape(shapes_of(type).front()), ""));
-    EXPECT_GT(count(canvas.draw(stage, 0), is_bluish, 1550), 5000) << type;  // it has no numbers
+    EXPECT_GT(count(draw_slide(canvas, stage, 0), is_bluish, 1550), 5000) << type;  // it has no numbers
   }
 }
 

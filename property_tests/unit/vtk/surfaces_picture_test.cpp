@@ -9,9 +9,9 @@
 #include <rayproof/implicit/torus.hpp>
 #include <rayproof/parametric/hits.hpp>
 
-#include "viz/picture/palette.hpp"
+#include "viz/picture/picture.hpp"
 #include "viz/picture/raster.hpp"
-#include "viz/vtk/raster_png.hpp"
+#include "viz/vtk/picture_png.hpp"
 
 namespace rayproof::viz {
 namespace {

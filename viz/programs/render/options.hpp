@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "command_line/command_line.hpp"
-#include "viz/programs/wrong_command.hpp"
-#include "viz/render/pixel_case.hpp"
+#include "viz/programs/report_case.hpp"
+#include "viz/render/hits.hpp"
 #include "viz/render/scene/scene_reader.hpp"
 #include "viz/render/shading.hpp"
 
@@ -17,7 +17,6 @@ namespace rayproof::render {
 
 using viz::WrongCommand;
 
-/// What is asked for.
 enum class Mode { picture, exact_picture, error, compare, pixel, shadows };
 
 struct RenderOptions {

@@ -4,8 +4,8 @@
 #include "viz/page/page.hpp"
 #include "viz/programs/files.hpp"
 #include "viz/programs/report_of.hpp"
-#include "viz/vtk/slide_canvas.hpp"
-#include "viz/walkthrough/stage_of.hpp"
+#include "viz/vtk/picture_png.hpp"
+#include "viz/walkthrough/lesson.hpp"
 
 namespace rayproof::render {
 

@@ -12,15 +12,13 @@
 #include "viz/programs/files.hpp"
 #include "viz/render/shading.hpp"
 #include "viz/vtk/offscreen_display.hpp"
-#include "viz/vtk/raster_png.hpp"
+#include "viz/vtk/picture_png.hpp"
 #include "viz/vtk/render/error_figure.hpp"
-#include "viz/vtk/render/error_window.hpp"
 #include "viz/vtk/render/mesh_reader.hpp"
 
 namespace rayproof::render {
 namespace {
 
-/// One run of the program over its scene.
 class Render {
  public:
   Render(const RenderOptions& options, const std::atomic<bool>& stop)
@@ -144,7 +142,6 @@ class Render {
     }
   }
 
-  /// The light by each strategy that is asked for, in panels.
   viz::Raster shadows() {
     if (!scene_.light) throw WrongCommand(options_.scene + " has no light, which --spawn needs");
     const viz::OffscreenDisplay display;
@@ -171,8 +168,7 @@ class Render {
 
   HitImage exactly() {
     const auto start = std::chrono::steady_clock::now();
-    const auto tree = bounds_tree(scene_);
-    HitImage hits = trace_exactly(scene_, *tree, work("exactly"));
+    HitImage hits = trace_exactly(scene_, bounds_tree(scene_), work("exactly"));
     report_time("exactly", start);
     return hits;
   }
@@ -183,19 +179,14 @@ class Render {
     status_ = fmt::format("{}{}{:.2f} s", what, what.empty() ? "" : ", ", taken.count());
   }
 
-  /// Whom to ask in a scene of many objects; null where all are asked.
-  const Neighbourhood* near_methods() {
-    if (scene_.objects.size() < many_objects) return nullptr;
-    if (!near_) {
-      near_ = embree_tree(scene_, method_margin);
-      if (!near_) {
-        print_to_stderr(
-            "rayproof render: without Embree in this build, {} objects are searched more slowly\n",
-            scene_.objects.size());
-        near_ = bounds_tree(scene_, method_margin);
-      }
-    }
-    return near_.get();
+  /// Whom to ask in a scene of many objects; none where all are asked.
+  const Neighbourhood& near_methods() {
+    if (near_ || scene_.objects.size() < many_objects) return near_;
+    near_ = embree_tree(scene_, method_margin);
+    if (near_) return near_;
+    print_to_stderr("rayproof render: without Embree in this build, {} objects are searched more slowly\n",
+                    scene_.objects.size());
+    return near_ = bounds_tree(scene_, method_margin);
   }
 
   void print_case() {
@@ -213,7 +204,7 @@ class Render {
   RenderScene scene_;
   ProgressLine progress_{};
   std::string status_{};
-  std::unique_ptr<Neighbourhood> near_{};
+  Neighbourhood near_{};
 };
 
 }  // namespace

@@ -1,11 +1,10 @@
-#include "viz/render/scene/scene_parts.hpp"
+#include "viz/render/scene/scene_reader.hpp"
 
 #include <fmt/format.h>
 
 #include "case/independent.hpp"
 #include "case/json/number_text.hpp"
 #include "case/reader/shape_reader.hpp"
-#include "viz/render/scene/scene.hpp"
 
 namespace rayproof::render {
 

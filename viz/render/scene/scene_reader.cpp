@@ -9,7 +9,6 @@
 #include "case/json/number_text.hpp"
 #include "case/reader.hpp"
 #include "case/reader/shape_reader.hpp"
-#include "viz/render/scene/scene_parts.hpp"
 
 namespace rayproof::render {
 namespace {
@@ -35,54 +34,47 @@ double rounded(const Field& field, Precision precision, double x) {
   return number;
 }
 
+void add_shape(RenderScene& scene, const Field& field, const std::optional<glm::dmat4>& transform,
+               std::size_t entry) {
+  Object& object = scene.objects.emplace_back(Object{{}, transform, entry});
+  try {
+    read_shape(field, scene.precision, object.shape);
+  } catch (const Refusal& why) {
+    // A shape that does not hold together is refused by its own field, without the path to it.
+    const std::string path = field.path();
+    if (why.field().starts_with(path)) throw;
+    throw Refusal(path + "." + why.field(), fmt::format("{}.{}: {}", path, why.field(), why.what()));
+  }
+}
+
+void add_mesh(RenderScene& scene, const ReadMesh& read_mesh, const Field& field,
+              const std::optional<glm::dmat4>& transform, std::size_t entry) {
+  const std::filesystem::path beside = std::filesystem::path(scene.file).parent_path();
+  const auto vertex = [&](const glm::dvec3& v) {
+    return glm::dvec3(rounded(field, scene.precision, v.x), rounded(field, scene.precision, v.y),
+                      rounded(field, scene.precision, v.z));
+  };
+  for (const Triangle<double>& t : read_mesh(beside / read_string(field)))
+    scene.objects.push_back({Triangle<double>{vertex(t.a), vertex(t.b), vertex(t.c)}, transform, entry});
+}
+
 /// Reads `shapes`.
-class ObjectsReader {
- public:
-  ObjectsReader(RenderScene& scene, const ReadMesh& read_mesh) : scene_(scene), read_mesh_(read_mesh) {}
-
-  void read(const Field& shapes) {
-    const std::vector<Field> entries = shapes.elements("must be an array of shapes and meshes");
-    scene_.objects.reserve(entries.size());
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-      ObjectReader reader(entries[i]);
-      const auto mesh = reader.find("mesh");
-      const Field shape = mesh ? *mesh : reader.need("shape");
-      std::optional<glm::dmat4> transform;
-      if (const auto field = reader.find("transform")) transform = read_transform(*field, scene_.precision);
-      reader.refuse_unknown();
-      if (mesh)
-        add_mesh(shape, transform, i);
-      else
-        add_shape(shape, transform, i);
-    }
+void read_objects(RenderScene& scene, const ReadMesh& read_mesh, const Field& shapes) {
+  const std::vector<Field> entries = shapes.elements("must be an array of shapes and meshes");
+  scene.objects.reserve(entries.size());
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    ObjectReader reader(entries[i]);
+    const auto mesh = reader.find("mesh");
+    const Field shape = mesh ? *mesh : reader.need("shape");
+    std::optional<glm::dmat4> transform;
+    if (const auto field = reader.find("transform")) transform = read_transform(*field, scene.precision);
+    reader.refuse_unknown();
+    if (mesh)
+      add_mesh(scene, read_mesh, shape, transform, i);
+    else
+      add_shape(scene, shape, transform, i);
   }
-
- private:
-  void add_shape(const Field& field, const std::optional<glm::dmat4>& transform, std::size_t entry) {
-    Object& object = scene_.objects.emplace_back(Object{{}, transform, entry});
-    try {
-      read_shape(field, scene_.precision, object.shape);
-    } catch (const Refusal& why) {
-      // A shape that does not hold together is refused by its own field, without the path to it.
-      const std::string path = field.path();
-      if (why.field().starts_with(path)) throw;
-      throw Refusal(path + "." + why.field(), fmt::format("{}.{}: {}", path, why.field(), why.what()));
-    }
-  }
-
-  void add_mesh(const Field& field, const std::optional<glm::dmat4>& transform, std::size_t entry) {
-    const std::filesystem::path beside = std::filesystem::path(scene_.file).parent_path();
-    const auto vertex = [&](const glm::dvec3& v) {
-      return glm::dvec3(rounded(field, scene_.precision, v.x), rounded(field, scene_.precision, v.y),
-                        rounded(field, scene_.precision, v.z));
-    };
-    for (const Triangle<double>& t : read_mesh_(beside / read_string(field)))
-      scene_.objects.push_back({Triangle<double>{vertex(t.a), vertex(t.b), vertex(t.c)}, transform, entry});
-  }
-
-  RenderScene& scene_;
-  const ReadMesh& read_mesh_;
-};
+}
 
 void read_size(RenderScene& scene, ObjectReader& reader, const SceneOverrides& overrides) {
   const Field field = reader.need("size");
@@ -104,7 +96,7 @@ void read_members(RenderScene& scene, const json::Document& document, const Read
   if (const auto light = reader.find("light")) read_value(*light, scene.precision, scene.light.emplace());
   if (const auto note = reader.find("note")) static_cast<void>(read_string(*note));
   reader.refuse_unknown();
-  ObjectsReader(scene, read_mesh).read(shapes);
+  read_objects(scene, read_mesh, shapes);
 }
 
 /// The case reader's sentence, with the file before it and the value behind it.

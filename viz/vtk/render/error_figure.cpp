@@ -8,7 +8,6 @@
 
 #include "viz/render/errors.hpp"
 #include "viz/vtk/picture_png.hpp"
-#include "viz/vtk/render/error_layout.hpp"
 
 namespace rayproof::render {
 
@@ -30,37 +29,27 @@ Rgb colour_of(const ErrorImage& errors, std::size_t i, int device_x, int device_
   return hatched(*style, device_x, device_y);
 }
 
-void paint_panel(Raster& canvas, const ErrorImage& errors, int zoom, int left, int top) {
-  for (int y = 0; y < errors.height * zoom; ++y) {
-    for (int x = 0; x < errors.width * zoom; ++x) {
-      const std::size_t i = viz::pixel_index(errors.width, x / zoom, y / zoom);
-      canvas.at(left + x, top + y) = colour_of(errors, i, x, y);
-    }
-  }
+int in_device(double length) { return static_cast<int>(length * png_scale); }
+
+/// Paints the pixels of a box at a place of the picture, as far as they are on the canvas.
+template <class ColourAt>
+void paint(Raster& canvas, const viz::Point& at, int width, int height, ColourAt&& colour_at) {
+  const int left = in_device(at.x), top = in_device(at.y);
+  for (int y = 0; y < height && top + y < canvas.height; ++y)
+    for (int x = 0; x < width && left + x < canvas.width; ++x) canvas.at(left + x, top + y) = colour_at(x, y);
 }
 
 void paint_swatch(Raster& canvas, const Swatch& swatch) {
-  const Rgb outline = rgb_of("#5a626c");
-  const int left = static_cast<int>(margin * png_scale), top = static_cast<int>(swatch.top * png_scale);
-  const int width = static_cast<int>(swatch_width * png_scale),
-            height = static_cast<int>(swatch_height * png_scale);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      const bool is_rim = x < 2 || y < 2 || x >= width - 2 || y >= height - 2;
-      canvas.at(left + x, top + y) = is_rim ? outline : swatch.colour(x, y);
-    }
-  }
+  const int width = in_device(swatch_width), height = in_device(swatch_height);
+  paint(canvas, {margin, swatch.top}, width, height, [&](int x, int y) {
+    const bool is_rim = x < 2 || y < 2 || x >= width - 2 || y >= height - 2;
+    return is_rim ? rgb_of("#5a626c") : swatch.colour(x, y);
+  });
 }
 
 constexpr std::size_t most_in_row = 3;
 // In the picture's own pixels, png_scale device pixels each.
 constexpr double space = 16, title_height = 22;
-
-void paint(viz::Raster& canvas, const viz::Raster& picture, int left, int top) {
-  for (int y = 0; y < picture.height; ++y)
-    for (int x = 0; x < picture.width; ++x)
-      if (left + x < canvas.width && top + y < canvas.height) canvas.at(left + x, top + y) = picture.at(x, y);
-}
 
 }  // namespace
 
@@ -95,8 +84,12 @@ Raster error_figure(const std::string& title, const std::vector<ErrorPanel>& pan
 
   Raster canvas = viz::PictureCanvas().draw(picture);
   for (std::size_t i = 0; i < panels.size(); ++i) {
-    paint_panel(canvas, panels[i].errors, layout.zoom, static_cast<int>(layout.panel_left(i) * png_scale),
-                static_cast<int>(layout.panels_top * png_scale));
+    const ErrorImage& errors = panels[i].errors;
+    const int zoom = layout.zoom;
+    paint(canvas, {layout.panel_left(i), layout.panels_top}, errors.width * zoom, errors.height * zoom,
+          [&](int x, int y) {
+            return colour_of(errors, viz::pixel_index(errors.width, x / zoom, y / zoom), x, y);
+          });
   }
   for (const Swatch& swatch : swatches) paint_swatch(canvas, swatch);
   return canvas;
@@ -121,9 +114,11 @@ viz::Raster shadow_figure(const std::vector<ShadowPanel>& panels) {
   add_text(picture, viz::Role::text, {space, picture.height - 12},
            "red: acne, dark though the light is seen; yellow: a leak, lit through something", 11);
   viz::Raster canvas = viz::PictureCanvas().draw(picture);
-  for (std::size_t i = 0; i < panels.size(); ++i)
-    paint(canvas, panels[i].picture, static_cast<int>(left_of(i) * viz::png_scale),
-          static_cast<int>(top_of(i) * viz::png_scale));
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const viz::Raster& shown = panels[i].picture;
+    paint(canvas, {left_of(i), top_of(i)}, shown.width, shown.height,
+          [&](int x, int y) { return shown.at(x, y); });
+  }
   return canvas;
 }
 

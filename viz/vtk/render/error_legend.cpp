@@ -5,7 +5,7 @@
 #include "viz/render/errors.hpp"
 #include "viz/scene/shown_items.hpp"
 #include "viz/trace/numbers.hpp"
-#include "viz/vtk/render/error_layout.hpp"
+#include "viz/vtk/render/error_figure.hpp"
 
 namespace rayproof::render {
 namespace {

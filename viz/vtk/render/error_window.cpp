@@ -1,4 +1,4 @@
-#include "viz/vtk/render/error_window.hpp"
+#include "viz/vtk/render/error_figure.hpp"
 
 #include <vtkCamera.h>
 #include <vtkImageActor.h>
@@ -16,8 +16,8 @@
 #include <optional>
 
 #include "viz/vtk/offscreen_display.hpp"
-#include "viz/vtk/raster_png.hpp"
-#include "viz/vtk/window/orbit_style.hpp"
+#include "viz/vtk/picture_png.hpp"
+#include "viz/vtk/window/widgets.hpp"
 
 namespace rayproof::render {
 namespace {

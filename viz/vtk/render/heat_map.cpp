@@ -1,4 +1,4 @@
-#include "viz/vtk/render/heat_map.hpp"
+#include "viz/vtk/render/error_figure.hpp"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -22,8 +22,8 @@
 #include <glm/geometric.hpp>
 
 #include "viz/render/errors.hpp"
-#include "viz/vtk/raster_png.hpp"
-#include "viz/vtk/sheet/picture_text.hpp"
+#include "viz/vtk/picture_png.hpp"
+#include "viz/vtk/sheet/picture_item.hpp"
 #include "viz/vtk/space/geometry.hpp"
 
 namespace rayproof::render {

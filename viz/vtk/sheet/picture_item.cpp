@@ -8,9 +8,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "viz/picture/palette.hpp"
+#include "viz/picture/picture.hpp"
 #include "viz/picture/raster.hpp"
-#include "viz/vtk/sheet/picture_text.hpp"
 
 namespace rayproof::viz {
 namespace {

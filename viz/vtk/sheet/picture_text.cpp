@@ -1,4 +1,4 @@
-#include "viz/vtk/sheet/picture_text.hpp"
+#include "viz/vtk/sheet/picture_item.hpp"
 
 #include <vtkContext2D.h>
 #include <vtkNew.h>
@@ -17,7 +17,6 @@
 #include <string_view>
 #include <tuple>
 
-#include "viz/picture/palette.hpp"
 #include "viz/picture/picture.hpp"
 #include "viz/picture/raster.hpp"
 

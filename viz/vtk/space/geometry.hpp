@@ -10,7 +10,7 @@
 
 #include <vector>
 
-#include "viz/picture/palette.hpp"
+#include "viz/picture/picture.hpp"
 #include "viz/scene/space.hpp"
 
 class vtkActor;
@@ -51,12 +51,9 @@ inline constexpr int fine_sides = 16, coarse_sides = 6;
 [[nodiscard]] vtkSmartPointer<vtkPoints> points_of(const SpacePoints& points);
 /// Each a polyline.
 [[nodiscard]] Geometry lines_of(const std::vector<SpacePoints>& lines);
-/// Tubes around all lines of the geometry.
 [[nodiscard]] Geometry tubes_of(const Geometry& lines, double radius, int sides);
-/// An actor of the geometry in a colour.
 [[nodiscard]] vtkSmartPointer<vtkActor> actor_of(const Geometry& geometry, const RoleColour& colour);
 void set_colour(vtkProperty& property, const RoleColour& colour);
-/// What the source makes, under the transform.
 [[nodiscard]] Geometry placed(vtkAlgorithm& source, vtkTransform& transform);
 
 struct Floor {
@@ -64,8 +61,6 @@ struct Floor {
   vtkSmartPointer<vtkActor> grid;
   std::vector<vtkSmartPointer<vtkActor>> shadows;
 };
-
-/// The floor with the shadows of the actors.
 [[nodiscard]] Floor floor_under(const std::vector<vtkActor*>& actors, const SpaceFloor& place);
 
 }  // namespace rayproof::viz

@@ -36,6 +36,17 @@ double aspect_of(vtkRenderer& renderer) {
   return (port[2] - port[0]) * size[0] / ((port[3] - port[1]) * size[1]);
 }
 
+void set_camera(vtkCamera& camera, const SpaceCamera& view) {
+  const glm::dvec3 at = view.eye();
+  camera.SetFocalPoint(view.middle.x, view.middle.y, view.middle.z);
+  camera.SetPosition(at.x, at.y, at.z);
+  camera.SetViewUp(view.up.x, view.up.y, view.up.z);
+  camera.SetViewAngle(view_angle);
+  camera.SetParallelProjection(view.is_flat ? 1 : 0);
+  camera.SetParallelScale(view.half);
+  camera.SetClippingRange(view.nearest(), view.farthest());
+}
+
 /// The part of a line before the eye: what is behind it has no place in the picture.
 SpacePoints before_eye(const SpacePoints& line, const SpaceCamera& camera) {
   if (camera.is_flat) return line;
@@ -52,17 +63,6 @@ SpacePoints before_eye(const SpacePoints& line, const SpaceCamera& camera) {
 }
 
 }  // namespace
-
-void set_camera(vtkCamera& camera, const SpaceCamera& view) {
-  const glm::dvec3 at = view.eye();
-  camera.SetFocalPoint(view.middle.x, view.middle.y, view.middle.z);
-  camera.SetPosition(at.x, at.y, at.z);
-  camera.SetViewUp(view.up.x, view.up.y, view.up.z);
-  camera.SetViewAngle(view_angle);
-  camera.SetParallelProjection(view.is_flat ? 1 : 0);
-  camera.SetParallelScale(view.half);
-  camera.SetClippingRange(view.nearest(), view.farthest());
-}
 
 void prepare_for_space(vtkRenderWindow& window) {
   window.SetMultiSamples(0);  // as depth peeling wants it

@@ -13,13 +13,9 @@
 #include "viz/scene/stage.hpp"
 #include "viz/vtk/space/geometry.hpp"
 
-class vtkCamera;
 class vtkRenderWindow;
 
 namespace rayproof::viz {
-
-/// Puts VTK's camera where the view's eye is.
-void set_camera(vtkCamera& camera, const SpaceCamera& view);
 
 /// Lets a window sort translucent surfaces; to be called before it renders.
 void prepare_for_space(vtkRenderWindow& window);
@@ -46,7 +42,6 @@ class SpaceScene {
   /// Where an item is seen, in the pixels of a frame that the renderer's viewport fills; of a round surface
   /// the outline.
   [[nodiscard]] std::vector<Point> seen(const StageItem& item, const PixelBox& frame) const;
-  /// Whether it is a drawing in a plane.
   [[nodiscard]] bool is_flat() const { return space_.camera.is_flat; }
 
  private:

@@ -15,11 +15,9 @@
 #include "case/writer.hpp"
 #include "viz/flat/stage_picture.hpp"
 #include "viz/vtk/offscreen_display.hpp"
-#include "viz/vtk/raster_png.hpp"
-#include "viz/vtk/window/buttons.hpp"
+#include "viz/vtk/picture_png.hpp"
 #include "viz/vtk/window/handle_widgets.hpp"
-#include "viz/vtk/window/orbit_style.hpp"
-#include "viz/vtk/window/time_slider.hpp"
+#include "viz/vtk/window/widgets.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -127,7 +125,6 @@ class StageWindow::Impl {
     compass->AddObserver(vtkCommand::EndInteractionEvent, this, &Impl::hear);
   }
 
-  /// The layers and widgets where the window's size has them.
   void fit() {
     view.fit();
     slider.fit();

@@ -1,14 +1,22 @@
-#include "viz/vtk/window/stage_window.hpp"
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 #include "viz/flat/stage_picture.hpp"
 #include "viz/player/player.hpp"
 #include "viz/trace/numbers.hpp"
+#include "viz/vtk/window/stage_window.hpp"
+#include "viz/vtk/window/widgets.hpp"
 #include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {
 namespace {
+
+constexpr double row_top = slide_height - 28;
+constexpr double button_height = 24;
+constexpr double button_gap = 4;
+constexpr double square_button = 32;
+constexpr double wide_button = 68;
 
 constexpr double rounded_column = 140;
 constexpr double exact_column = 430;
@@ -46,6 +54,48 @@ std::string focus_in_words(const Player& player) {
 }
 
 }  // namespace
+
+std::vector<Button> buttons_of(const Player& player) {
+  std::vector<Button> buttons;
+  const std::size_t count = player.stage().steps.size();
+  const bool has_others = player.play_count() > 1;
+  double x = slide_margin;
+  // Many steps share the room that is left of the buttons at the right.
+  const double room = (has_others ? 590.0 : 670.0) / (static_cast<double>(count) + 2);
+  const double step_width = std::min(square_button, room - button_gap);
+  const auto add = [&](const std::string& text, const std::string& key, double width) -> Button& {
+    buttons.push_back({{x, row_top, width, button_height}, text, key});
+    x += width + button_gap;
+    return buttons.back();
+  };
+  add("◀", "Left", step_width).is_enabled = player.step() > 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string number = std::to_string(i + 1);
+    add(number, number, step_width).is_current = i == player.step();
+  }
+  add("▶", "Right", step_width).is_enabled = player.step() + 1 < count;
+  x = slide_width - slide_margin - 3 * wide_button - 2 * button_gap;
+  if (has_others) {
+    x -= 2 * (square_button + button_gap);
+    add("«", "p", square_button).is_enabled = player.play() > 0;
+    add("»", "n", square_button).is_enabled = player.play() + 1 < player.play_count();
+  }
+  add("Reset r", "r", wide_button);
+  add("Help h", "h", wide_button).is_current = player.is_help_shown();
+  add("Quit q", "q", wide_button);
+  return buttons;
+}
+
+void draw_buttons(Picture& sheet, const std::vector<Button>& buttons) {
+  for (const Button& button : buttons) {
+    const PixelBox& box = button.box;
+    add_frame(sheet, button.is_current ? Role::text : Role::frame, box, button.is_current ? 2.5 : 1.2);
+    const double size = box.width < 24 ? 11 : 14;
+    add_text(sheet, button.is_enabled ? Role::text : Role::frame,
+             {box.centre().x, box.centre().y + size * 0.36}, button.text, size, button.is_current,
+             Anchor::middle);
+  }
+}
 
 Picture window_sheet(const Player& player) {
   const bool is_refused = !player.complaint().empty();

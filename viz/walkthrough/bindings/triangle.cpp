@@ -74,11 +74,9 @@ Items projection(const NumbersByName& n) {
     return p;
   };
   const glm::dvec3 q = n.vector("q");
-  Items items{polygon(Role::edge, {drop(tri.a), drop(tri.b), drop(tri.c)}),
-              polyline(Role::edge, {drop(tri.a), drop(tri.b), drop(tri.c), drop(tri.a)})};
-  for (const glm::dvec3& p : {tri.a, tri.b, tri.c, q}) {
+  Items items = outlined(Role::edge, {drop(tri.a), drop(tri.b), drop(tri.c)});
+  for (const glm::dvec3& p : {tri.a, tri.b, tri.c, q})
     items.push_back(segment(Role::frame, p, drop(p), {}, Pattern::dotted));
-  }
   items.push_back(
       point(Role::nearest, drop(q), "q without " + std::string(1, static_cast<char>('x' + axis))));
   return items;

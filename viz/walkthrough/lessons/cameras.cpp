@@ -10,15 +10,14 @@ using namespace camera_image;
 
 template <class R>
 rayproof::Camera<R> named_camera() {
-  const rayproof::Camera<double>& given = eye();
-  return {named("eye", convert<R>(given.eye)), named("center", convert<R>(given.center)),
-          named("up", convert<R>(given.up)), named("half_w", R(given.half_width)),
-          named("half_h", R(given.half_height))};
+  return {named("eye", convert<R>(eye.eye)), named("center", convert<R>(eye.center)),
+          named("up", convert<R>(eye.up)), named("half_w", R(eye.half_width)),
+          named("half_h", R(eye.half_height))};
 }
 
 Binding axis(const char* name) {
   return {name, [=](const NumbersByName& n) {
-            return Items{arrow(Role::edge, eye().eye, eye().eye + 0.6 * n.vector(name), name)};
+            return Items{arrow(Role::edge, eye.eye, eye.eye + 0.6 * n.vector(name), name)};
           }};
 }
 
@@ -29,13 +28,12 @@ Items placed_pixel(const NumbersByName& n) {
 
 /// Where the printed formula, without the half pixel, puts the pixel.
 Items printed_corner(const NumbersByName& /*n*/) {
-  const double x = 2.0 * pixel_i / width - 1, y = 1 - 2.0 * pixel_j / height;
-  return {point(Role::edge, on_image(x, y), "corner (4, 2)")};
+  return {point(Role::edge, corner_of(pixel_i, pixel_j), "corner (4, 2)")};
 }
 
 Items parts_of_direction(const NumbersByName& n) {
-  const CameraAxes<double> axes = camera::axes(eye());
-  const glm::dvec3 middle = eye().eye - axes.w;
+  const CameraAxes<double> axes = camera::axes(eye);
+  const glm::dvec3 middle = eye.eye - axes.w;
   return {segment(Role::edge, middle, middle + n["α"] * axes.u, "α·u"),
           segment(Role::edge, middle + n["α"] * axes.u, middle + n["α"] * axes.u + n["β"] * axes.v, "β·v")};
 }
@@ -51,36 +49,29 @@ Stage camera_stage(const Case& one, const ReportCase& report_on) {
   });
   Setting setting = setting_of(report);
   setting.scene = grid();
-  setting.scene.push_back(point(Role::ray, eye().eye, "eye"));
+  setting.scene.push_back(point(Role::ray, eye.eye, "eye"));
   setting.camera = behind_the_eye(39);
   Items in_sight = setting.scene;
-  const CameraAxes<double> axes = camera::axes(eye());
+  const CameraAxes<double> axes = camera::axes(eye);
   for (const glm::dvec3& axis : {axes.u, axes.v, axes.w})
-    in_sight.push_back(arrow(Role::edge, eye().eye, eye().eye + 0.6 * axis));
+    in_sight.push_back(arrow(Role::edge, eye.eye, eye.eye + 0.6 * axis));
   setting.near = setting.wide = view_of(extent_of(in_sight, setting.camera), setting.camera);
-  setting.slider->origin = eye().eye;
+  setting.slider->origin = eye.eye;
   setting.slider->from = 0;
   setting.slider->to = 1.4;
   setting.slider->start = 1;
-  setting.bindings = {
-      axis("w"),
-      axis("u"),
-      axis("v"),
-      {"y", placed_pixel},
-      {"Place the pixel's centre in the image", printed_corner},
-      {"β", parts_of_direction},
-      {"d", [](const NumbersByName& n) {
-         return Items{arrow(Role::ray, eye().eye, eye().eye + 1.35 * n.vector("d"), "the ray")};
-       }}};
-  Stage stage = composed_stage(report, walk, setting);
-  stage.steps.front().title = "Look at the eye and its image";
-  stage.method = "camera/pixel_centre";
-  stage.source = "R. Bán, Számítógépes grafika: Raycasting, 2022";
+  setting.bindings = {axis("w"),
+                      axis("u"),
+                      axis("v"),
+                      {"y", placed_pixel},
+                      {"Place the pixel's centre in the image", printed_corner},
+                      {"β", parts_of_direction},
+                      {"d", [](const NumbersByName& n) {
+                         return Items{arrow(Role::ray, eye.eye, eye.eye + 1.35 * n.vector("d"), "the ray")};
+                       }}};
+  Stage stage = run_stage(report, walk, setting);
   stage.slider->direction = std::get<RayQuestion>(one.question).ray.direction;
   stage.slider->readouts.clear();
-  stage.steps.push_back(difference_of_values(walk, setting, one.precision));
-  stage.conclusion =
-      "The lecture's formula takes the pixel's corner for its centre; half a pixel is missing.";
   return stage;
 }
 

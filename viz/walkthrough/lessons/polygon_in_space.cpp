@@ -51,7 +51,6 @@ void meet_polygon(const RayQuestion& question) {
   cross_projected(LargestAxisLast<R>(n), q, vertices);
 }
 
-/// The projection, seen straight on.
 Items projected_scene(const NumbersByName& n, std::size_t count) {
   const auto at = [&](const std::string& name) { return dropped(n.vector("n"), n.vector(name)); };
   std::vector<glm::dvec3> ring;
@@ -100,8 +99,6 @@ Stage polygon_stage(const Case& one, const ReportCase& report_on) {
   stage.steps.push_back(difference_step(report, setting));
   stage.steps.back().begins_anew = true;
   stage.steps.back().digits.clear();  // the caption has it; it is not the method that was recorded
-  stage.method = "polygon/parity";
-  stage.source = "E. Haines, Point in Polygon Strategies, Graphics Gems IV, 1994";
   return stage;
 }
 

@@ -9,7 +9,6 @@
 #include "viz/walkthrough/lesson.hpp"
 #include "viz/walkthrough/lessons/camera_image.hpp"
 #include "viz/walkthrough/setting.hpp"
-#include "viz/walkthrough/stage_of.hpp"
 #include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {
@@ -17,7 +16,6 @@ namespace {
 
 using namespace camera_image;
 
-/// What the loop knows of one sphere.
 struct LoopSphere {
   glm::dvec3 center;
   double radius;
@@ -26,7 +24,7 @@ struct LoopSphere {
 constexpr std::array<LoopSphere, 2> balls{{{{0, 0, 0.2}, 0.75, "first"}, {{1.2, -0.4, 0.6}, 0.4, "second"}}};
 
 Ray<double> ray_of_pixel(int i, int j) {
-  return camera::PixelCentre::ray(eye(), camera::axes(eye()), ImageSize<double>{width, height},
+  return camera::PixelCentre::ray(eye, camera::axes(eye), ImageSize<double>{width, height},
                                   static_cast<double>(i), static_cast<double>(j));
 }
 
@@ -46,7 +44,6 @@ int nearest_ball(int i, int j) {
   return best_ball;
 }
 
-/// The case's ray against another sphere.
 Case with_ball(const Case& one, const LoopSphere& ball) {
   Case other = one;
   std::get<RayQuestion>(other.question).shape = Sphere<double>{ball.center, ball.radius};
@@ -112,7 +109,7 @@ Stage loop_stage(const Case& one, const ReportCase& report_on) {
   const Ray<double>& ray = std::get<RayQuestion>(one.question).ray;
   setting.scene = grid();
   for (const LoopSphere& each : balls) setting.scene.push_back(ball(each.center, each.radius));
-  setting.scene.push_back(point(Role::ray, eye().eye, "eye"));
+  setting.scene.push_back(point(Role::ray, eye.eye, "eye"));
   setting.camera = behind_the_eye(20);
   const StageView view = view_of(extent_of(setting.scene, setting.camera), setting.camera);
   setting.near = setting.wide = view;
@@ -148,7 +145,6 @@ Stage loop_stage(const Case& one, const ReportCase& report_on) {
                             hits, width * height),
                 view, image));
   stage.steps.push_back(difference_step(report, setting));
-  stage.method = "sphere/centred for each pixel and object";
   return stage;
 }
 

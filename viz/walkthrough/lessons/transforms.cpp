@@ -8,10 +8,30 @@
 #include "viz/walkthrough/bindings.hpp"
 #include "viz/walkthrough/compose.hpp"
 #include "viz/walkthrough/lesson.hpp"
-#include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::viz {
 namespace {
+
+/// Lets the step whose title begins so show items of another space at the right of all that is in the world;
+/// the next step begins anew.
+void show_beside(Stage& stage, const std::string& title, const Items& items) {
+  const std::size_t number = place_of(stage.steps, title);
+  const auto seen_of = [&](const Items& some) {
+    return view_of(extent_of(some, stage.camera), stage.camera);
+  };
+  const StageView world = seen_of(stage.scene);
+  const StageView own = seen_of(items);
+  const double shift = view_aspect * (world.radius + own.radius);
+  StageStep& step = stage.steps.at(number);
+  step.items = items;
+  for (StageItem& item : step.items) {
+    for (glm::dvec3& p : item.points) p += world.centre - own.centre + shift * stage.camera.right;
+  }
+  Items all = stage.scene;
+  append(all, step.items);
+  step.view = seen_of(all);
+  stage.steps.at(number + 1).begins_anew = true;
+}
 
 /// The hit of the object's own space, mapped back: it is p(t₀).
 StageStep back_in_the_world(const CaseReport& report, const NumbersByName& n, const Stage& stage) {
@@ -32,23 +52,6 @@ StageStep back_in_the_world(const CaseReport& report, const NumbersByName& n, co
       vector(q), vector(p), rough(t * glm::length(n.direction()), 5));
   return step;
 }
-
-}  // namespace
-
-/// Beside the world, the object's own space: the unit sphere and the ray as it sees it.
-Stage transformed_stage(const Case& one, const ReportCase& report_on) {
-  const CaseReport report = report_on(one, "sphere/centred");
-  Stage stage = stage_of(report);
-  const NumbersByName n(*report.walk, report.walk->steps.size() - 1);
-  show_beside(stage, "Take the ray into",
-              {ball({0, 0, 0}, 1), arrow(Role::ray, n.origin(), n.at(n["t₁"] * 1.25), "o′ + t·d"),
-               point(Role::ray, n.origin(), "o′"),
-               point(Role::text, -1.7 * stage.camera.up, "the object's own space")});
-  stage.steps.insert(stage.steps.end() - 1, back_in_the_world(report, n, stage));
-  return stage;
-}
-
-namespace {
 
 template <class R>
 void carry_normal(const RayQuestion& question, double t) {
@@ -76,6 +79,19 @@ void carry_normal(const RayQuestion& question, double t) {
 }
 
 }  // namespace
+
+/// Beside the world, the object's own space: the unit sphere and the ray as it sees it.
+Stage transformed_stage(const Case& one, const ReportCase& report_on) {
+  const CaseReport report = report_on(one, "sphere/centred");
+  Stage stage = stage_of(report);
+  const NumbersByName n(*report.walk, report.walk->steps.size() - 1);
+  show_beside(stage, "Take the ray into",
+              {ball({0, 0, 0}, 1), arrow(Role::ray, n.origin(), n.at(n["t₁"] * 1.25), "o′ + t·d"),
+               point(Role::ray, n.origin(), "o′"),
+               point(Role::text, -1.7 * stage.camera.up, "the object's own space")});
+  stage.steps.insert(stage.steps.end() - 1, back_in_the_world(report, n, stage));
+  return stage;
+}
 
 Stage normal_stage(const Case& one, const ReportCase& report_on) {
   const CaseReport report = report_on(one, "sphere/centred");
@@ -105,17 +121,12 @@ Stage normal_stage(const Case& one, const ReportCase& report_on) {
                      },
                      as_it_is, on_unit_sphere},
                     {walk.steps.at(2).title}};
-  Stage stage = composed_stage(report, walk, setting);
-  stage.method = "normal_to_world";
+  Stage stage = run_stage(report, walk, setting);
   // The tangent plane makes it plain which of the two is perpendicular.
   const glm::dvec3 normal = *std::get<RayAnswer>(report.exact).normal;
   const glm::dvec3 u = 0.7 * across(normal);
   const glm::dvec3 v = glm::cross(normal, u);
-  append(stage.steps.at(3).items,
-         {polygon(Role::edge, {hit + u + v, hit + u - v, hit - u - v, hit - u + v}),
-          polyline(Role::edge, {hit + u + v, hit + u - v, hit - u - v, hit - u + v, hit + u + v})});
-  stage.steps.push_back(difference_of_values(walk, setting, one.precision));
-  stage.conclusion = "Only the inverse transpose keeps what is at right angles at right angles.";
+  append(stage.steps.at(3).items, outlined(Role::edge, {hit + u + v, hit + u - v, hit - u - v, hit - u + v}));
   return stage;
 }
 

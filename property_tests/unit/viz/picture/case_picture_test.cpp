@@ -9,7 +9,7 @@
 #include "subjects/subject.hpp"
 #include "unit/viz/every_shape.hpp"
 #include "viz/flat/stage_picture.hpp"
-#include "viz/shapes/ray_scene.hpp"
+#include "viz/shapes/figure.hpp"
 #include "viz/shapes/topics.hpp"
 
 namespace rayproof::viz {

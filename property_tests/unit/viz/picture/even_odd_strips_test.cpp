@@ -1,4 +1,4 @@
-#include "viz/picture/clip.hpp"
+#include "viz/picture/picture.hpp"
 
 #include <gtest/gtest.h>
 

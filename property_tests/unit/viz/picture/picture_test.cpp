@@ -15,10 +15,9 @@
 #include "viz/explain/case_report.hpp"
 #include "viz/flat/stage_picture.hpp"
 #include "viz/page/page.hpp"
-#include "viz/picture/clip.hpp"
+#include "viz/picture/picture.hpp"
 #include "viz/shapes/topics.hpp"
 #include "viz/walkthrough/lesson.hpp"
-#include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viz/picture/palette.hpp"
+#include "viz/picture/picture.hpp"
 #include "viz/picture/raster.hpp"
 #include "viz/scene/shown_items.hpp"
 

@@ -9,7 +9,6 @@
 #include "viz/scene/items.hpp"
 #include "viz/scene/space.hpp"
 #include "viz/walkthrough/lesson.hpp"
-#include "viz/walkthrough/stage_of.hpp"
 
 namespace {
 

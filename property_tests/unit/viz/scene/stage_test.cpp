@@ -10,7 +10,6 @@
 #include "viz/page/page.hpp"
 #include "viz/scene/shown_items.hpp"
 #include "viz/walkthrough/lesson.hpp"
-#include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "unit/viz/stage_data.hpp"
 #include "viz/flat/stage_picture.hpp"
-#include "viz/picture/clip.hpp"
+#include "viz/picture/picture.hpp"
 #include "viz/scene/items.hpp"
 #include "viz/scene/shown_items.hpp"
 #include "viz/walkthrough/lesson.hpp"

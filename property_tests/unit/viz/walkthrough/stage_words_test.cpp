@@ -9,9 +9,10 @@
 #include "unit/viz/every_shape.hpp"
 #include "unit/viz/stage_data.hpp"
 #include "viz/explain/case_report.hpp"
+#include "viz/walkthrough/bindings.hpp"
 #include "viz/walkthrough/compose.hpp"
-#include "viz/walkthrough/difference_gap.hpp"
-#include "viz/walkthrough/stage_of.hpp"
+#include "viz/walkthrough/lesson.hpp"
+#include "viz/walkthrough/setting.hpp"
 
 namespace rayproof::viz {
 namespace {

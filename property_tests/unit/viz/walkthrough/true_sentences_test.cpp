@@ -14,7 +14,6 @@
 #include "viz/explain/case_report.hpp"
 #include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/lesson.hpp"
-#include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::viz {
 namespace {

@@ -10,7 +10,6 @@
 #include "viz/walkthrough/bindings.hpp"
 #include "viz/walkthrough/lesson.hpp"
 #include "viz/walkthrough/setting.hpp"
-#include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::viz {
 namespace {
@@ -112,7 +111,6 @@ Stage acne_stage(const Case& one, const ReportCase& report_on) {
   spawn::Strategies::for_each([&]<class Strategy>(std::type_identity<Strategy>) {
     stage.steps.push_back(start_step<Strategy>(from, direction, sphere, stage.camera));
   });
-  stage.method = "the strategies of rayproof/spawn";
   stage.conclusion =
       "A fixed offset fails where the coordinates are large; a proven one follows from their rounding.";
   stage.steps.back().digits = stage.conclusion;

@@ -11,7 +11,6 @@
 #include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/compose.hpp"
 #include "viz/walkthrough/lesson.hpp"
-#include "viz/walkthrough/stage_of.hpp"
 #include "viz/walkthrough/stage_values.hpp"
 
 namespace rayproof::viz {
@@ -126,7 +125,6 @@ Stage leak_stage(const Case& one, const ReportCase& report_on) {
   Stage stage = stage_of(first);
   stage.scene = setting.scene;
   stage.steps.resize(1);
-  stage.steps.front().title = "Look at two triangles with one edge, and a ray at it";
   using triangle::MollerTrumbore, triangle::Woop;
   for (const Step& wanted : {MollerTrumbore::find_u, MollerTrumbore::find_v})
     add_step(stage, first, setting, wanted, "The first triangle");
@@ -146,7 +144,6 @@ Stage leak_stage(const Case& one, const ReportCase& report_on) {
   for (StageStep& step : stage.steps) {
     if (!step.is_apart) step.view = view;
   }
-  stage.method = "triangle/moller_trumbore";
   const bool is_lost =
       verdicts_differ(&first.exact, first.claim()) || verdicts_differ(&second.exact, second.claim());
   stage.conclusion =

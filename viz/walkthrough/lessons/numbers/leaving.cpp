@@ -5,7 +5,6 @@
 #include <rayproof/spawn.hpp>
 
 #include "viz/trace/numbers.hpp"
-#include "viz/trace/shadow.hpp"
 #include "viz/walkthrough/bindings.hpp"
 #include "viz/walkthrough/compose.hpp"
 #include "viz/walkthrough/lesson.hpp"
@@ -124,14 +123,12 @@ Stage leaving_stage(const Case& one, const ReportCase& report_on) {
                       {"bend", tangent_plane},
                       marked("o′", Role::claimed)};
   Stage stage = composed_stage(report, walk, setting);
-  stage.method = "spawn/proven";
   for (std::size_t i = 0; i < walk.steps.size(); ++i) {
     const NumbersByName n(walk, i);
     if (n.has_vector("room") && !n.has("bend"))
       show_room(stage.steps.at(i + 1), n);  // after the one that shows what is given
   }
   stage.steps.push_back(heights_step(NumbersByName(walk, walk.steps.size() - 1), sphere, setting));
-  stage.conclusion = "The offset pays for what rounding can have done, and for no more.";
   return stage;
 }
 

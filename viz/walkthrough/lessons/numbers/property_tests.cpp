@@ -7,12 +7,10 @@
 #include "viz/trace/numbers.hpp"
 #include "viz/walkthrough/lesson.hpp"
 #include "viz/walkthrough/setting.hpp"
-#include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::viz {
 namespace {
 
-/// A case that a property test comes to.
 struct ShrunkCase {
   const char* title;
   const char* words;

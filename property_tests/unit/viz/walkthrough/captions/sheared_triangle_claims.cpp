@@ -5,7 +5,7 @@
 
 #include "unit/viz/walkthrough/captions/caption.hpp"
 #include "viz/explain/case_report.hpp"
-#include "viz/trace/shadow.hpp"
+#include "viz/trace/numbers.hpp"
 
 namespace rayproof::viz {
 namespace {

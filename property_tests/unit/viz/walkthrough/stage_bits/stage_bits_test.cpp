@@ -10,7 +10,6 @@
 #include "unit/viz/walkthrough/stage_bits/plain_runs.hpp"
 #include "viz/page/page.hpp"
 #include "viz/walkthrough/lesson.hpp"
-#include "viz/walkthrough/stage_of.hpp"
 
 namespace rayproof::viz {
 namespace {
