@@ -79,14 +79,15 @@ Diagnosis CauseSearch::next(const Indices& left) const {
   for (const Hypothesis* one : known_)
     if (Indices cases = screened(*one, left); may_show(*one) && is_most(*one, cases, left))
       return {.cause = one, .cases = std::move(cases)};
-  Diagnosis best = best_model(left);
+  Diagnosis best = best_model(left, false);
   // That misses are foreseen says no more than a cure does.
   const bool is_of_misses = examination_.finds_nothing(best.cases);
   if (is_share(best.cases, left, is_of_misses ? most_for_a_cure : most_for_a_model)) return best;
   if (!is_part(best.cases, left)) best = {};
   const bool is_isolated = are_isolated(left, 50);
   for (const Hypothesis& one : hypotheses()) {
-    if (one.predict != nullptr || one.asked != Asking::in_turn || !may_be(one, is_isolated)) continue;
+    if (one.predict != nullptr || one.measure != nullptr || one.asked != Asking::in_turn) continue;
+    if (!may_be(one, is_isolated)) continue;
     const Indices cases = screened(one, left);
     const bool is_enough = is_share(cases, left, most_for_a_cure);
     if (!is_enough && (cases.size() <= best.cases.size() || !is_proven(one, cases, left))) continue;
@@ -142,11 +143,13 @@ bool CauseSearch::is_most(const Hypothesis& one, const Indices& cases, const Ind
 }
 
 /// The model that foresees most of the wrong answers, and no wrong one where the subject is right.
-Diagnosis CauseSearch::best_model(const Indices& left) const {
+Diagnosis CauseSearch::best_model(const Indices& left, bool is_exact) const {
   Diagnosis best;
   std::size_t most = 0;
   for (const Hypothesis& one : hypotheses()) {
-    if (one.predict == nullptr || !may_be(one, false)) continue;
+    const bool is_mark = one.predict == nullptr && one.measure == nullptr;
+    if (one.change != nullptr || (is_mark && !is_exact) || !may_be(one, false)) continue;
+    if (is_exact && (one.is_vague || one.is_throughout)) continue;
     if (patient_.counts_digits && breaks_more_than_digits(one)) continue;
     Indices cases = screened(one, left);
     if (10 * cases.size() <= most) continue;
@@ -171,15 +174,22 @@ std::size_t CauseSearch::balance(const Hypothesis& model, const Indices& cases) 
   return (says_too_much ? 9 : 10) * (cases.size() - against);
 }
 
-std::vector<const Hypothesis*> CauseSearch::likely_by_precision() const {
-  std::vector<const Hypothesis*> likely;
+std::vector<const Hypothesis*> CauseSearch::named() const {
+  std::vector<const Hypothesis*> named;
   const Indices all = all_of(examination_.failing_count());
   for (const Hypothesis& one : hypotheses()) {
     if (!one.differs_by_precision || !may_be(one, false)) continue;
     const Indices cases = screened(one, all);
-    if (is_share(cases, all, most_for_a_model) && balance(one, cases) > 0) likely.push_back(&one);
+    if (is_share(cases, all, most_for_a_model) && balance(one, cases) > 0) named.push_back(&one);
   }
-  return likely;
+  bool is_vague = false;
+  for (const Diagnosis& group : groups()) {
+    named.push_back(group.cause);
+    is_vague = is_vague || (group.cause != nullptr && group.cause->is_vague);
+  }
+  if (!is_vague) return named;
+  if (const Diagnosis best = best_model(all, true); is_part(best.cases, all)) named.push_back(best.cause);
+  return named;
 }
 
 /// One that says more than another must be seen to.

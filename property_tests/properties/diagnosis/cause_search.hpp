@@ -23,8 +23,9 @@ class CauseSearch {
 
   /// Every failing case in a group with its cause; those of most cases first. Only cause and cases are given.
   [[nodiscard]] std::vector<Diagnosis> groups() const;
-  /// The models of what differs by precision that explain most of all failing cases.
-  [[nodiscard]] std::vector<const Hypothesis*> likely_by_precision() const;
+  /// The causes of the groups; the models of what differs by precision that explain most of all failing
+  /// cases; and, where a group's cause is vague, the model that explains most of all.
+  [[nodiscard]] std::vector<const Hypothesis*> named() const;
   /// Which of all failing cases it explains, though they may not show all that it says; none where it proves
   /// nothing here.
   [[nodiscard]] Indices explained_of_all(const Hypothesis& one, Examination::Mistake mistake = {}) const;
@@ -41,7 +42,7 @@ class CauseSearch {
   [[nodiscard]] bool is_by_chance(const Hypothesis& one, const Indices& cases) const;
   [[nodiscard]] bool is_too_small_a_share(const Hypothesis& one, const Indices& cases) const;
   [[nodiscard]] bool is_most(const Hypothesis& one, const Indices& cases, const Indices& left) const;
-  [[nodiscard]] Diagnosis best_model(const Indices& left) const;
+  [[nodiscard]] Diagnosis best_model(const Indices& left, bool is_exact) const;
   [[nodiscard]] std::size_t balance(const Hypothesis& model, const Indices& cases) const;
   [[nodiscard]] bool is_contradicted(const Hypothesis& one, const Indices& cases) const;
   [[nodiscard]] bool is_proven(const Hypothesis& one, const Indices& cases, const Indices& left) const;

@@ -24,13 +24,6 @@ constexpr double nearly_as_good(const Hypothesis& cause) {
   return cause.of_sizes == OfSizes::nothing ? 0.97 : 1;
 }
 
-/// What a name has in common with those of other limits, "epsilon" of "epsilon-1e-4"; empty where it is of
-/// none.
-std::string_view stem_of_limit(std::string_view name) {
-  const std::size_t end = name.rfind("-1e");
-  return end == std::string_view::npos ? std::string_view{} : name.substr(0, end);
-}
-
 }  // namespace
 
 Cover::Cover(std::span<const Complaint* const> complaints) {
@@ -39,8 +32,7 @@ Cover::Cover(std::span<const Complaint* const> complaints) {
     sheet.examination = std::make_unique<Examination>(one->patient, one->failing, one->passing);
     sheet.search =
         std::make_unique<CauseSearch>(one->patient, *sheet.examination, std::span<const Hypothesis* const>{});
-    sheet.named = sheet.search->likely_by_precision();
-    for (const Diagnosis& group : sheet.search->groups()) sheet.named.push_back(group.cause);
+    sheet.named = sheet.search->named();
     const auto count = static_cast<double>(one->failing.size());
     sheet.weight = one->broken > 0 ? one->broken / count : 1;
     sheet.counts_digits = one->patient.counts_digits;
@@ -114,7 +106,8 @@ bool Cover::is_group(const Candidate& one, std::size_t complaint, const Indices&
   if (cases.size() == all) return true;
   const bool is_proof =
       one.cause->change == nullptr && !one.cause->is_vague && 5 * cases.size() >= 3 * explained.size();
-  return cases.size() >= 3 && (4 * cases.size() >= all || is_proof);
+  // A sixteenth at least: what is left of a model that explains the rest fits others by chance.
+  return cases.size() >= 3 && (4 * cases.size() >= all || (is_proof && 16 * cases.size() >= all));
 }
 
 /// Of the causes chosen, those that explain most of this complaint.

@@ -2,8 +2,10 @@
 /// The causes that may explain what a subject is complained of.
 
 #include <algorithm>
+#include <iterator>
 
 #include "properties/diagnosis/cover.hpp"
+#include "properties/diagnosis/examination/sizes_of_mistakes.hpp"
 
 namespace rayproof::diagnosis {
 
@@ -62,6 +64,13 @@ bool Cover::shows_in_numbers(const Candidate& candidate) const {
 
 /// A subject makes one mistake, whatever it is complained of: of few cases others would do as well.
 Examination::Mistake Cover::common_mistake(const Hypothesis& cause) const {
+  if (cause.measure != nullptr) {
+    std::vector<double> sizes;
+    for (const Sheet& sheet : sheets_)
+      std::ranges::move(sheet.examination->sizes_of(cause, all_of(sheet.examination->failing_count())),
+                        std::back_inserter(sizes));
+    return usual_size(sizes);
+  }
   if (!cause.is_one_of_many) return std::nullopt;
   std::size_t mistakes = 0;
   for (const Sheet& sheet : sheets_) {

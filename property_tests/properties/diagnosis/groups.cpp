@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "properties/diagnosis/examination/sizes_of_mistakes.hpp"
+
 namespace rayproof::diagnosis {
 namespace {
 
@@ -53,6 +55,10 @@ void describe(Diagnosis& group, const Examination& examination) {
   group.kind = group.cause->kind;
   const bool has_own_words = examination.is_equation() && !group.cause->of_equation.empty();
   group.sentence = has_own_words ? group.cause->of_equation : group.cause->sentence;
+  if (group.cause->measure != nullptr) {
+    const double size = mean_of_usual(examination.sizes_of(*group.cause, group.cases));
+    group.sentence += fmt::format(", about {:.6g}", group.cause->is_factor ? 1 + size : size);
+  }
   if (group.cause->asked != Asking::in_turn && examination.run_along_surface(group.cases))
     group.sentence +=
         "; it is seen where the ray runs along the surface alone: what is given there is what was left from "

@@ -47,7 +47,13 @@ using Recognise = std::optional<bool> (*)(const Case& one, const Answer& got, co
 /// where the cure is not for this case.
 using Change = std::vector<Case> (*)(const Case& one);
 
-/// One line of the registry. Exactly one of the three functions is there.
+/// How large the mistake is that an answer shows, of a fault that has a size, as a factor has: 0 where the
+/// answer is right though the fault would show; nothing where it shows nothing.
+using SizeOfMistake = std::optional<double> (*)(const Case& one, const Answer& got, const Answer& exact);
+/// The answers that a subject may give whose mistake has that size.
+using PredictOfSize = std::vector<Answer> (*)(const Case& one, const Answer& exact, double size);
+
+/// One line of the registry. Exactly one of predict, recognise, measure and change is there.
 struct Hypothesis {
   std::string_view name{};      ///< "unit-direction"
   FindingKind kind{};           ///< where nothing speaks for another one
@@ -55,6 +61,9 @@ struct Hypothesis {
   Aspect aspect = Aspect::hits;
   Predict predict = nullptr;
   Recognise recognise = nullptr;
+  SizeOfMistake measure = nullptr;          ///< all cases that it explains show about one size
+  PredictOfSize predict_of_size = nullptr;  ///< beside measure, where an answer shows no size
+  bool is_factor = false;                   ///< what is measured is a factor less 1
   Change change = nullptr;
   Keeps keeps = Keeps::question;
   /// The changed case differs in more than powers of two: no proof where any small change cures.
@@ -92,6 +101,13 @@ struct Hypothesis {
   /// It says that nothing is ever found: of a subject of which that is so it alone is believed.
   bool is_of_no_hits = false;
 };
+
+/// What a name has in common with those of other limits, "epsilon" of "epsilon-1e-4"; empty where it is of
+/// none.
+[[nodiscard]] constexpr std::string_view stem_of_limit(std::string_view name) {
+  const std::size_t end = name.rfind("-1e");
+  return end == std::string_view::npos ? std::string_view{} : name.substr(0, end);
+}
 
 /// Whether the first says no more than a part of what the second says.
 [[nodiscard]] constexpr bool is_part_of(const Hypothesis& part, const Hypothesis& whole) {

@@ -12,7 +12,9 @@ namespace rayproof::diagnosis {
 [[nodiscard]] std::vector<Hypothesis> models_of_limits();
 [[nodiscard]] std::vector<Hypothesis> models_of_numbers();
 [[nodiscard]] std::vector<Hypothesis> models_of_roots();
+[[nodiscard]] std::vector<Hypothesis> models_of_coefficients();
 [[nodiscard]] std::vector<Hypothesis> classes_of_roots();
+[[nodiscard]] std::vector<Hypothesis> models_of_tiny_numbers();
 [[nodiscard]] std::vector<Hypothesis> models_of_transforms();
 [[nodiscard]] std::vector<Hypothesis> models_of_solids();
 [[nodiscard]] std::vector<Hypothesis> models_of_corners();
@@ -28,6 +30,7 @@ namespace rayproof::diagnosis {
 [[nodiscard]] std::vector<Hypothesis> models_of_outlines();
 [[nodiscard]] std::vector<Hypothesis> models_of_readings();
 [[nodiscard]] std::vector<Hypothesis> models_of_first_hits();
+[[nodiscard]] std::vector<Hypothesis> models_of_sizes_measured();
 [[nodiscard]] std::vector<Hypothesis> models_of_digits();
 [[nodiscard]] std::vector<Hypothesis> cures_of_values();
 [[nodiscard]] std::vector<Hypothesis> classes_of_cases();

@@ -52,8 +52,8 @@ bool is_point_of_coarse_t(const Finding& finding, const Finding& other) {
 bool is_foreseen_by(const Finding& finding, const Finding& other) {
   const Hypothesis& model = *other.cause;
   const OfSizes sizes = finding.cause->of_sizes;
-  const bool may_follow =
-      finding.cause->predict == nullptr || sizes == OfSizes::small || sizes == OfSizes::limit;
+  const bool may_follow = finding.cause->predict == nullptr || sizes == OfSizes::small ||
+                          sizes == OfSizes::limit || finding.property->name == "digits";
   const bool says_the_same = sizes != OfSizes::nothing && sizes == model.of_sizes;
   if (!may_follow || model.predict == nullptr || model.is_one_of_many || says_the_same) return false;
   const Answer &got = finding.evidence.got, &exact = finding.evidence.exact;
@@ -66,6 +66,12 @@ bool is_foreseen_by(const Finding& finding, const Finding& other) {
     };
     return agrees(got) && !agrees(exact);
   });
+}
+
+/// Whether the other says that answers depend on more than the case: a model fits some of them by chance.
+bool is_of_doubtful_answers(const Finding& finding, const Finding& other) {
+  return finding.property == other.property && other.cause->asked != Asking::in_turn &&
+         finding.cause->asked == Asking::in_turn && finding.cases <= other.cases;
 }
 
 /// Whether a normal is wrong in fewer cases than a gross fault of the hits, in far fewer where a model of
@@ -127,7 +133,10 @@ bool is_part_of(const Finding& finding, const Finding& other) {
   if (finding.cause == nullptr || other.cause == nullptr) return false;
   if (is_normal_of_wrong_shape(finding, other) || is_point_of_coarse_t(finding, other)) return true;
   if (!other.cause->is_vague && other.cases >= finding.cases && is_foreseen_by(finding, other)) return true;
-  if (!other.cause->name.empty() && finding.cause->follows_from == other.cause->name) return true;
+  if (is_of_doubtful_answers(finding, other)) return true;
+  if (finding.cause->follows_from == other.cause->name && !other.cause->name.empty()) return true;
+  const std::string_view stem = stem_of_limit(other.cause->name);
+  if (!stem.empty() && finding.cause->follows_from == stem && finding.cases <= other.cases) return true;
   const bool is_known_at_extremes_alone = finding.cause->of_sizes == OfSizes::extremes;
   const std::uint64_t most = finding.cause->is_vague ? 2 * other.cases : other.cases;
   if (finding.cases > most && !is_known_at_extremes_alone) return false;

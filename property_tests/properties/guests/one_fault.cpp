@@ -28,10 +28,12 @@ bool is_of_hits(const Finding& finding) {
          claim != Claim::coordinates && claim != Claim::contact;
 }
 
-/// What makes two findings one: the cause, or, where none is known, what they speak of.
+/// What makes two findings one: the cause, whatever its limit, or, where none is known, what they speak of.
 auto fault_of(const Finding& finding) {
   const bool is_one = finding.cause != nullptr || is_of_hits(finding);
-  return std::tuple(finding.subject, finding.cause, is_one ? nullptr : finding.property);
+  const std::string_view cause = finding.cause == nullptr ? std::string_view{} : finding.cause->name;
+  const std::string_view stem = stem_of_limit(cause);
+  return std::tuple(finding.subject, stem.empty() ? cause : stem, is_one ? nullptr : finding.property);
 }
 
 /// What went wrong without its numbers, and without what the program said of it: two findings of the protocol

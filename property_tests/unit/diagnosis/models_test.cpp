@@ -209,7 +209,9 @@ TEST(Diagnosis, NamesWhatIsWronglySaidOfTheFirstHit) {
                                                {"triangle", "touch", "vertex-called-edge"},
                                                {"triangle", "touch", "edge-called-vertex"},
                                                {"triangle", "touch", "crossing-called-edge"},
-                                               {"triangle", "touch", "edge-called-near-1e-2"}}) {
+                                               {"triangle", "touch", "edge-called-near-1e-2"},
+                                               {"sphere", "touch", "tangent-called-near-1e-2"},
+                                               {"triangle", "coordinates", "weights-exchanged-along-axis"}}) {
     planted = find_hypothesis(model);
     const Subject subject = subject_of(topic, [](const Case& one) { return foreseen(*planted, one); });
     const auto groups = faults_of(subject, *find_property(property), Precision::float64, 60);

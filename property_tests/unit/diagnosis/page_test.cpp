@@ -95,7 +95,7 @@ TEST(DiagnosisRegistry, HasEachNameOnce) {
     EXPECT_EQ(find_hypothesis(one.name), &one) << one.name;
     EXPECT_FALSE(one.sentence.empty()) << one.name;
     const int functions = (one.predict != nullptr ? 1 : 0) + (one.recognise != nullptr ? 1 : 0) +
-                          (one.change != nullptr ? 1 : 0);
+                          (one.change != nullptr ? 1 : 0) + (one.measure != nullptr ? 1 : 0);
     EXPECT_EQ(functions, 1) << one.name;
   }
   EXPECT_EQ(find_hypothesis("no such thing"), nullptr);

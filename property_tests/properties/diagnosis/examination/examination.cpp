@@ -4,9 +4,19 @@
 
 #include "properties/claims/answers.hpp"
 #include "properties/diagnosis/examination/agreement.hpp"
+#include "properties/diagnosis/examination/sizes_of_mistakes.hpp"
 
 namespace rayproof::diagnosis {
 namespace {
+
+/// All that the model foresees; of one that measures a mistake what it does of that size.
+std::vector<Answer> foreseen_by(const Hypothesis& model, const Case& one, const Answer& exact,
+                                std::size_t mistake) {
+  if (model.measure == nullptr) return model.predict(one, exact);
+  const double size = size_of_number(mistake);
+  return model.predict_of_size == nullptr || size == 0 ? std::vector<Answer>{}
+                                                       : model.predict_of_size(one, exact, size);
+}
 
 /// Whether two answers have one normal, or one of them has none.
 bool has_same_normal(const Answer& a, const Answer& b) {
@@ -55,6 +65,8 @@ std::optional<bool> Examination::fits(const Hypothesis& hypothesis, const Known&
   const Answer& exact = known.asked.exact;
   const Answer& got = *known.got;
   if (hypothesis.recognise != nullptr) return hypothesis.recognise(one, got, exact);
+  if (hypothesis.measure != nullptr)
+    if (const auto size = hypothesis.measure(one, got, exact)) return is_of_size(*size, mistake);
   const Aspect aspect = aspect_of(hypothesis);
   const bool is_of_detail = aspect != Aspect::hits && aspect != Aspect::contact;
   if (Answer said = got; is_of_detail && !says_detail(one, said, aspect)) return std::nullopt;
@@ -64,7 +76,7 @@ std::optional<bool> Examination::fits(const Hypothesis& hypothesis, const Known&
   };
   const bool is_right = agrees(got, exact);
   bool has_said = false, may_be_right = false, may_be_this = false;
-  std::vector<Answer> foreseen = hypothesis.predict(one, exact);
+  std::vector<Answer> foreseen = foreseen_by(hypothesis, one, exact, mistake);
   if (hypothesis.is_one_of_many && !foreseen.empty())
     foreseen = mistake < foreseen.size() ? std::vector{foreseen[mistake]} : std::vector<Answer>{};
   for (const Answer& predicted : foreseen) {
@@ -109,6 +121,17 @@ std::vector<std::size_t> Examination::explained_by(const Hypothesis& hypothesis,
   return all;
 }
 
+std::vector<double> Examination::sizes_of(const Hypothesis& model, std::span<const std::size_t> cases) const {
+  std::vector<double> sizes;
+  for (const std::size_t i : cases) {
+    const Known& known = failing_.at(i);
+    const auto size =
+        known.got ? model.measure(known.asked.one, *known.got, known.asked.exact) : std::nullopt;
+    if (size && *size != 0) sizes.push_back(*size);
+  }
+  return sizes;
+}
+
 std::size_t Examination::mistake_count(const Hypothesis& model, std::span<const std::size_t> cases) const {
   std::size_t count = 0;
   for (const std::size_t i : cases) {
@@ -120,6 +143,7 @@ std::size_t Examination::mistake_count(const Hypothesis& model, std::span<const 
 
 std::size_t Examination::best_mistake(const Hypothesis& hypothesis,
                                       std::span<const std::size_t> cases) const {
+  if (hypothesis.measure != nullptr) return usual_size(sizes_of(hypothesis, cases));
   if (!hypothesis.is_one_of_many) return 0;
   return best_balanced(
       mistake_count(hypothesis, cases),

@@ -50,9 +50,13 @@ class Examination {
  public:
   Examination(const Patient& patient, std::span<const Case> failing, std::span<const Case> passing);
 
-  /// Of a model that stands for many mistakes the number of one; nothing for that which explains most.
+  /// Of a model that stands for many mistakes, or measures one, the number of one; nothing for that which
+  /// explains most.
   using Mistake = std::optional<std::size_t>;
 
+  /// The sizes of the mistake that these failing cases show, of a model that measures it.
+  [[nodiscard]] std::vector<double> sizes_of(const Hypothesis& model,
+                                             std::span<const std::size_t> cases) const;
   /// How many mistakes a model stands for in these failing cases.
   [[nodiscard]] std::size_t mistake_count(const Hypothesis& model, std::span<const std::size_t> cases) const;
   /// Which of these failing cases (by index) the hypothesis explains.

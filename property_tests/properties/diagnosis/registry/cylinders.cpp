@@ -53,9 +53,11 @@ std::vector<Hypothesis> models_of_cylinders() {
             "t of a cap's plane has the wrong sign: it is (height - z) / d.z, and -z / d.z of the lower one"),
       gives("caps-from-outside-alone", caps_from_outside_alone,
             "a cap is hit from outside alone: a ray that leaves through it does not hit it"),
-      shown_by(passes_cap_near_rim,
-               gives("cap-rim-missed", cap_rim_missed,
-                     "hits on a cap near its rim are left out: the cap is narrower than the side")),
+      following(
+          "stops-before",
+          shown_by(passes_cap_near_rim,
+                   gives("cap-rim-missed", cap_rim_missed,
+                         "hits on a cap near its rim are left out: the cap is narrower than the side"))),
       gives("caps-as-diamonds", caps_as_diamonds,
             "a cap is hit where |x|/rx + |y|/ry <= 1, and must be where the squares add up to 1 at most"),
       following(

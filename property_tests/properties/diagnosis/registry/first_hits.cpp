@@ -5,6 +5,7 @@
 
 #include "properties/diagnosis/models/curved/quadratic.hpp"
 #include "properties/diagnosis/models/curved/shortcuts.hpp"
+#include "properties/diagnosis/models/curved/small_discriminant.hpp"
 #include "properties/diagnosis/models/cylinders/normals.hpp"
 #include "properties/diagnosis/models/first_hit/normals.hpp"
 #include "properties/diagnosis/models/first_hit/points.hpp"
@@ -12,6 +13,7 @@
 #include "properties/diagnosis/models/flat/flat.hpp"
 #include "properties/diagnosis/models/flat/weights.hpp"
 #include "properties/diagnosis/models/flat/wrong_plane.hpp"
+#include "properties/diagnosis/models/hits/components.hpp"
 #include "properties/diagnosis/models/hits/contacts.hpp"
 #include "properties/diagnosis/models/hits/hits.hpp"
 #include "properties/diagnosis/models/hits/interval.hpp"
@@ -53,6 +55,43 @@ Hypothesis edge_called_near() {
                        power)));
 }
 
+template <int power>
+Hypothesis tangent_called_near() {
+  return of_contact(
+      kept(fmt::format("tangent-called-near-1e{}", power)), called_tangent_below<power>,
+      kept(fmt::format("a hit is called tangent where the discriminant D is below about 1e{}: an "
+                       "absolute tolerance on D",
+                       power)));
+}
+
+template <int decimals>
+Hypothesis few_decimals_of_point() {
+  return shows(
+      kept(fmt::format("point-decimals-{}", decimals)), point_to_decimals<decimals>,
+      kept(fmt::format("the point is rounded to multiples of 1e-{}: the code prints too few decimals, "
+                       "or rounds",
+                       decimals)),
+      gross, Aspect::point);
+}
+
+Hypothesis weights_exchanged_somewhere() {
+  Hypothesis made = gives_one_of(
+      "weights-exchanged-along-axis", weights_exchanged_along_axis,
+      "the barycentric coordinates are exchanged where the triangle's normal is largest along one axis: in "
+      "one of the projections");
+  made.aspect = Aspect::coordinates;
+  return made;
+}
+
+/// Under a transform rounding makes some of them other than 0.
+Hypothesis missed_where_component_is_zero() {
+  Hypothesis made = gives_one_of(
+      "missed-without-component", missed_without_component,
+      "a ray is missed where its direction has no x, or no y, or no z: a component that is 0 is not handled");
+  made.admits = 40;
+  return made;
+}
+
 Hypothesis normal_of_one_of(std::string_view name, Predict predict, std::string_view sentence) {
   Hypothesis made = gives_one_of(name, predict, sentence);
   made.aspect = Aspect::normal;
@@ -76,6 +115,15 @@ std::vector<Hypothesis> models_of_first_hits() {
       edge_called_near<-3>(),
       edge_called_near<-2>(),
       edge_called_near<-1>(),
+      tangent_called_near<-9>(),
+      tangent_called_near<-8>(),
+      tangent_called_near<-7>(),
+      tangent_called_near<-6>(),
+      tangent_called_near<-5>(),
+      tangent_called_near<-4>(),
+      tangent_called_near<-3>(),
+      tangent_called_near<-2>(),
+      tangent_called_near<-1>(),
       of_contact("crossing-called-edge", called<Contact::crossing, Contact::edge>,
                  "a hit inside the shape, far from its edges, is called edge"),
       gives("contact-parallel", in_surface_is_parallel, "a ray inside the plane is called parallel", gross,
@@ -217,6 +265,12 @@ std::vector<Hypothesis> models_of_first_hits() {
       gives("point-at-direction", point_at_direction, "the point is o + d, and must be o + t·d", gross,
             Aspect::point),
       gives("point-of-far-hit", point_of_far_hit, "the point is the far hit's", gross, Aspect::point),
+      few_decimals_of_point<1>(),
+      few_decimals_of_point<2>(),
+      few_decimals_of_point<3>(),
+      few_decimals_of_point<4>(),
+      few_decimals_of_point<5>(),
+      few_decimals_of_point<6>(),
       shows("point-moved", point_moved_along_normal,
             "the point is moved off the surface along the normal, as an origin of the next ray is", gross,
             Aspect::point),
@@ -240,6 +294,7 @@ std::vector<Hypothesis> models_of_first_hits() {
             "the barycentric coordinates are beta, gamma and t: alpha is missing, and t in its list", gross,
             Aspect::coordinates),
       given_undivided_weights(),
+      weights_exchanged_somewhere(),
       shows("alpha-wrong", weight_is_wrong<0>, "alpha is wrong, and beta and gamma are right", gross,
             Aspect::coordinates),
       shows("beta-wrong", weight_is_wrong<1>, "beta is wrong, and alpha and gamma are right", gross,
@@ -261,6 +316,7 @@ std::vector<Hypothesis> classes_of_cases() {
       shows("everything-not-handled", wrong_where_all_is_zero, "the equation 0 = 0 is not handled", boundary),
       following("linear-not-handled", shows("constant-not-handled", wrong_where_constant,
                                             "equations with a = b = 0 are not handled")),
+      missed_where_component_is_zero(),
       strictly(
           gives("mirrored-missed", mirrored_missed,
                 "what a matrix mirrors is missed: its determinant is negative, and is taken for too small")),

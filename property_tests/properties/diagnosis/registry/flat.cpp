@@ -7,6 +7,7 @@
 
 #include "properties/claims/answers.hpp"
 #include "properties/diagnosis/models/flat/flat.hpp"
+#include "properties/diagnosis/models/flat/plane_end.hpp"
 #include "properties/diagnosis/models/flat/small_bounds.hpp"
 #include "properties/diagnosis/models/flat/tolerances.hpp"
 #include "properties/diagnosis/models/flat/wrong_plane.hpp"
@@ -124,6 +125,9 @@ std::vector<Hypothesis> models_of_flat_figures() {
             "a surface is missed from an origin on the side where its normal points"),
       gives("missed-from-back", missed_from_back,
             "a surface is missed from an origin on the side from which its normal points away"),
+      gives_one_of("plane-ends", plane_ends,
+                   "a plane is missed far from the origin of coordinates, by its coordinates there or by the "
+                   "distance: it is taken for one with an end"),
       gives("triangle-constant-negated", triangle_of_wrong_constant,
             "t is right for the opposite origin, or the opposite constant, of the plane n·p = n·a: a sign is "
             "wrong in n·a - n·o"),

@@ -92,8 +92,7 @@ std::vector<Hypothesis> models_of_all_alike() {
                      "hit")),
       shows("misses-at-minus-one", misses_at_minus_one,
             "where nothing is hit t = -1 is given as a hit: it is the number that stands for a miss"),
-      strictly(shows("always-hits", always_hits,
-                     "every case tried hits, says the subject, also where there is nothing"))};
+  };
 }
 
 std::vector<Hypothesis> models_of_hits() {

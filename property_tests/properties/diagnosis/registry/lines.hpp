@@ -71,6 +71,26 @@ inline constexpr auto rounding = FindingKind::rounding;
   return {.name = name, .kind = kind, .sentence = sentence, .aspect = aspect, .recognise = recognise};
 }
 
+/// A subject whose mistake has one size in all cases, which is measured.
+[[nodiscard]] constexpr Hypothesis has_one_size(std::string_view name, SizeOfMistake measure,
+                                                std::string_view sentence, PredictOfSize predict = nullptr) {
+  return {.name = name,
+          .kind = gross,
+          .sentence = sentence,
+          .measure = measure,
+          .predict_of_size = predict,
+          .least_share = 40};
+}
+
+/// The same of a factor, of which what is more than 1 is measured.
+[[nodiscard]] constexpr Hypothesis has_one_factor(std::string_view name, SizeOfMistake measure,
+                                                  std::string_view sentence,
+                                                  PredictOfSize predict = nullptr) {
+  Hypothesis made = has_one_size(name, measure, sentence, predict);
+  made.is_factor = true;
+  return made;
+}
+
 /// A cure that changes nothing but powers of two, signs, or the order of things.
 [[nodiscard]] constexpr Hypothesis exact_cure(std::string_view name, Change change, std::string_view sentence,
                                               FindingKind kind = gross, std::string_view of_equation = "") {

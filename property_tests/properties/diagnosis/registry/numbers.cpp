@@ -11,6 +11,7 @@
 #include "properties/diagnosis/models/first_hit/points.hpp"
 #include "properties/diagnosis/models/hits/digits.hpp"
 #include "properties/diagnosis/models/hits/factor.hpp"
+#include "properties/diagnosis/models/hits/hits.hpp"
 #include "properties/diagnosis/models/hits/interval.hpp"
 #include "properties/diagnosis/models/hits/wrong_interval.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
@@ -226,6 +227,8 @@ std::vector<Hypothesis> models_of_numbers() {
             "where a = 0 the root has the wrong sign: it is -c/b"),
   };
   add_decimals<1, 2, 3, 4, 5, 6>(all);
+  all.push_back(strictly(shows("always-hits", always_hits,
+                               "every case tried hits, says the subject, also where there is nothing")));
   return all;
 }
 

@@ -1,6 +1,7 @@
 /// \file
 /// Faults of what is small and taken for 0: shapes, volumes, and components of the direction.
 
+#include "properties/diagnosis/models/hits/components.hpp"
 #include "properties/diagnosis/models/solids/parallelepiped.hpp"
 #include "properties/diagnosis/models/solids/slabs.hpp"
 #include "properties/diagnosis/models/space/small_shapes.hpp"
@@ -58,7 +59,21 @@ void add_small_areas(std::vector<Hypothesis>& all) {
    ...);
 }
 
+template <int... power>
+void add_tiny_numbers(std::vector<Hypothesis>& all) {
+  (all.push_back(below_power("tiny-number", power, read_as<tiny_numbers_as_zero<power>>,
+                             "the answer is right where numbers below about 1e{} are 0: they are made 0 as "
+                             "they are read")),
+   ...);
+}
+
 }  // namespace
+
+std::vector<Hypothesis> models_of_tiny_numbers() {
+  std::vector<Hypothesis> all;
+  add_tiny_numbers<-35, -30, -20, -15, -12, -10, -9>(all);
+  return all;
+}
 
 std::vector<Hypothesis> models_of_sizes() {
   std::vector<Hypothesis> all;

@@ -2,6 +2,7 @@
 /// Faults with spheres, boxes and parallelepipeds.
 
 #include "properties/diagnosis/cures/cures.hpp"
+#include "properties/diagnosis/models/curved/coefficients.hpp"
 #include "properties/diagnosis/models/solids/box.hpp"
 #include "properties/diagnosis/models/solids/faces.hpp"
 #include "properties/diagnosis/models/solids/parallelepiped.hpp"
@@ -13,6 +14,18 @@
 #include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {
+namespace {
+
+/// Else every direction is taken for a unit vector.
+Hypothesis a_as_one_by_length_alone() {
+  Hypothesis made =
+      gives_one_of("a-as-one-by-length", a_as_one_by_length,
+                   "the direction is taken for a unit vector where it is shorter than 1, or longer");
+  made.least_share = 90;
+  return made;
+}
+
+}  // namespace
 
 std::vector<Hypothesis> models_of_solids() {
   return {
@@ -39,11 +52,20 @@ std::vector<Hypothesis> models_of_solids() {
             "t is the line's nearest point to the centre: ±√D is left out"),
       gives("half-chord", half_chord,
             "t is half the chord: the line's nearest point to the centre is left out"),
+      gives(
+          "t-from-scaled-origin", t_from_scaled_origin,
+          "t is the distance of the hit from (o - center) / r: the origin was overwritten by the one in the "
+          "unit sphere's space"),
       gives("half-chord-by-difference", half_chord_by_difference,
             "half of the chord is r - d, d the distance of the centre from the line, and must be √(r² - d²)"),
       gives(
           "centre-behind-missed", centre_behind_missed,
           "a sphere whose centre lies behind the ray's beginning is missed, although the ray starts inside"),
+      shown_by(has_no_linear_term,
+               gives_one_of("zero-coefficient-missed", missed_with_zero_coefficient,
+                            "a sphere is missed where b = 0, or where b or c is 0, in a·t² + b·t + c: the "
+                            "origin is the point of the line nearest to the centre, or lies on the sphere")),
+      a_as_one_by_length_alone(),
       gives_one_of(
           "centre-beyond-missed", centre_beyond_missed,
           "a sphere whose centre is farther away than t_max is missed, although its surface is nearer"),
@@ -73,6 +95,8 @@ std::vector<Hypothesis> models_of_solids() {
       shown_by(is_hit_along_mirrored,
                gives("slab-along-mirrored", slab_along_mirrored,
                      "of a slab that the ray runs along the origin is compared with the wrong sign")),
+      gives("first-slab-alone", first_slab_alone,
+            "only the first slab that the ray crosses is looked at: the loop ends there"),
       gives_one_of("missed-from-beyond", missed_from_beyond,
                    "a ray from beyond a face is missed, whatever its direction: an early test looks at the "
                    "origin alone"),

@@ -14,6 +14,13 @@ struct Foreseen {
 inline void PrintTo(const Foreseen& one, std::ostream* out) { *out << one.topic << ": " << one.model; }
 
 inline constexpr Foreseen foreseen_faults[] = {
+    {"sphere", "zero-coefficient-missed"},
+    {"sphere", "a-as-one-by-length"},
+    {"sphere", "t-from-scaled-origin"},
+    {"quadratic", "half-b-made-whole"},
+    {"quadratic", "root-beside-zero"},
+    {"quadratic", "small-c-beside-b-1e-3"},
+    {"cylinder", "missed-without-component"},
     {"sphere", "zero-as-no-end"},
     {"sphere", "smallest-hit"},
     {"sphere", "farther-of-both"},

@@ -7,6 +7,7 @@
 namespace rayproof::faulty {
 
 inline constexpr Foreseen foreseen_faults_of_flat[] = {
+    {"plane", "plane-ends"},
     {"plane", "vectors-x-y"},
     {"triangle", "origin-x-z"},
     {"point_in_polygon", "point-x-y"},

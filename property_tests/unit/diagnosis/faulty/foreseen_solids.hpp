@@ -7,6 +7,7 @@
 namespace rayproof::faulty {
 
 inline constexpr Foreseen foreseen_faults_of_solids[] = {
+    {"box", "first-slab-alone"},
     {"box", "infinity-as-zero"},
     {"box", "inverse-undivided"},
     {"box", "middle-behind-missed"},

@@ -52,6 +52,17 @@ Answers small_discriminant(const Case& one, const Answer& exact, double limit) {
   return answers;
 }
 
+Answers called_tangent_below(const Case& one, const Answer& exact, double limit) {
+  const auto equation = reduced_equation(one);
+  const auto* answer = std::get_if<RayAnswer>(&exact);
+  if (!equation || answer == nullptr || answer->contact != Contact::crossing) return {};
+  const Below is_small = below(one, *equation, limit);
+  if (is_small == Below::none) return {};
+  RayAnswer tangent = *answer;
+  tangent.contact = Contact::tangent;
+  return is_small == Below::some ? Answers{tangent, exact} : Answers{tangent};
+}
+
 Answers nearly_double_root(const Case& one, const Answer& exact, double share) {
   const auto equation = reduced_equation(one);
   if (!equation || equation->a == 0) return {};

@@ -33,5 +33,11 @@ template <int power>
 [[nodiscard]] Answers negative_discriminant(const Case& one, const Answer& exact) {
   return negative_discriminant(one, exact, std::pow(10.0, power));
 }
+/// A crossing whose discriminant is below the limit is called tangent.
+[[nodiscard]] Answers called_tangent_below(const Case& one, const Answer& exact, double limit);
+template <int power>
+[[nodiscard]] Answers called_tangent_below(const Case& one, const Answer& exact) {
+  return called_tangent_below(one, exact, std::pow(10.0, power));
+}
 
 }  // namespace rayproof::diagnosis

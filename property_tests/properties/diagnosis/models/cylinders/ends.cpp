@@ -151,6 +151,23 @@ Answers missed_along_side(const Case& one, const Answer& exact) {
   return is_there ? Answers{RayAnswer{}} : Answers{};
 }
 
+namespace {
+
+/// What is hit of a capped cylinder by a ray that is taken for one along the axis.
+Answers caps_by_origin_alone(const Case& one) {
+  const auto& cylinder = *shape_in<Cylinder<double>>(one);
+  const Ray<double> ray = ray_in_object(*ray_question(one));
+  if (!cylinder.capped) return {};
+  if (!is_in_ellipse(ray.origin.x, ray.origin.y, cylinder)) return {RayAnswer{}};
+  if (ray.direction.z == 0) return {};
+  const double low = -ray.origin.z / ray.direction.z;
+  std::vector<double> caps{low, low + cylinder.height / ray.direction.z};
+  std::ranges::sort(caps);
+  return {in_order(one, caps)};
+}
+
+}  // namespace
+
 Answers side_missed_along(const Case& one, double least) {
   const auto equation = shape_in<Cylinder<double>>(one) == nullptr ? std::nullopt : reduced_equation(one);
   if (!equation) return {};
@@ -158,6 +175,8 @@ Answers side_missed_along(const Case& one, double least) {
   const bool is_scaled = equation->a < least, is_plain = d.x * d.x + d.y * d.y < least;
   if (!is_scaled && !is_plain) return {};
   Answers answers = with_side_hits(one, {});
+  // Caps may be tested at the origin then, where x and y are taken not to change.
+  for (Answer& answer : caps_by_origin_alone(one)) answers.push_back(std::move(answer));
   if (is_scaled != is_plain) answers.push_back(oracle::answer(one));
   return answers;
 }

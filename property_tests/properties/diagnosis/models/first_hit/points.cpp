@@ -5,6 +5,7 @@
 
 #include "properties/claims/answers.hpp"
 #include "properties/diagnosis/examination/agreement.hpp"
+#include "properties/diagnosis/models/plane_hit.hpp"
 #include "properties/edges.hpp"
 
 namespace rayproof::diagnosis {
@@ -81,6 +82,35 @@ Answers weights_on_grid(const Answer& exact, double cells) {
   RayAnswer other = *answer;
   other.barycentric = glm::round(*answer->barycentric * cells) / cells;
   return {other};
+}
+
+std::optional<bool> point_on_grid(const Answer& got, const Answer& exact, double cells) {
+  const auto* mine = std::get_if<RayAnswer>(&got);
+  const RayAnswer* answer = hit_with_point(exact);
+  if (mine == nullptr || answer == nullptr || !mine->point) return std::nullopt;
+  const auto is_on_grid = [cells](const glm::dvec3& point) {
+    bool is_on = true;
+    for (int axis = 0; axis < 3; ++axis) is_on = is_on && on_grid(point[axis], cells) == point[axis];
+    return is_on;
+  };
+  return is_on_grid(*answer->point) ? std::nullopt : std::optional(is_on_grid(*mine->point));
+}
+
+Answers weights_exchanged_along_axis(const Case& one, const Answer& exact) {
+  const auto* answer = std::get_if<RayAnswer>(&exact);
+  const auto figure = flat_figure(one);
+  if (answer == nullptr || !answer->barycentric || !figure) return {};
+  const glm::dvec3 size = glm::abs(figure->normal), &own = *answer->barycentric;
+  Answers answers;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const glm::dvec3& order :
+         {glm::dvec3(own.y, own.x, own.z), glm::dvec3(own.z, own.y, own.x), glm::dvec3(own.x, own.z, own.y),
+          glm::dvec3(own.y, own.z, own.x), glm::dvec3(own.z, own.x, own.y)}) {
+      RayAnswer other = *answer;
+      if (size[axis] > size[(axis + 1) % 3] && size[axis] > size[(axis + 2) % 3]) other.barycentric = order;
+      answers.emplace_back(other);
+    }
+  return answers;
 }
 
 Answers point_at_radius(const Case& one, const Answer& exact) {

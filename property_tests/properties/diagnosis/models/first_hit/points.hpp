@@ -33,6 +33,16 @@ template <int decimals>
 [[nodiscard]] Answers weights_to_decimals(const Case& /*one*/, const Answer& exact) {
   return weights_on_grid(exact, std::pow(10.0, decimals));
 }
+/// Whether the point is one of multiples of 10^-decimals, which the right one is not.
+[[nodiscard]] std::optional<bool> point_on_grid(const Answer& got, const Answer& exact, double cells);
+template <int decimals>
+[[nodiscard]] std::optional<bool> point_to_decimals(const Case& /*one*/, const Answer& got,
+                                                    const Answer& exact) {
+  return point_on_grid(got, exact, std::pow(10.0, decimals));
+}
+/// Two or three barycentric coordinates are exchanged where a triangle's normal is largest along an axis. An
+/// answer for each such mistake.
+[[nodiscard]] Answers weights_exchanged_along_axis(const Case& one, const Answer& exact);
 /// o + r·d of a sphere, and o + d.
 [[nodiscard]] Answers point_at_radius(const Case& one, const Answer& exact);
 [[nodiscard]] Answers point_at_direction(const Case& one, const Answer& exact);

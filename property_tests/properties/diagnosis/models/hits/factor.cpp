@@ -31,6 +31,8 @@ Answers times(const Case& one, const Answer& exact, double factor) {
   const RayQuestion* asked = ray_question(one);
   const auto* roots = std::get_if<QuadraticAnswer<double>>(&exact);
   if (roots != nullptr && roots->kind == RootKind::linear) return {};  // another formula's
+  if (asked == nullptr && roots != nullptr && roots->kind == RootKind::twice)
+    return {stretched(exact, factor), exact};  // which may be handled apart
   if (asked == nullptr) return {stretched(exact, factor)};
   Answers answers = line_times(one, factor);
   answers.push_back(stretched(exact, factor));  // where t is compared with the interval before that

@@ -58,10 +58,10 @@ std::optional<bool> stops_before(const Case& one, const Answer& got, const Answe
   if (!std::isfinite(t)) return false;
   const Ray<double> ray = ray_in_object(*ray_question(one));
   const bool is_hit = right->hits.count > 0;
+  const double apart = solid->at(point_at(ray, t)), early = near / 8;  // what is early is so by no rounding
   // Behind the surface another fault shows.
-  if (is_hit && (t - right->hits.t[0]) * glm::length(ray.direction) >= -near) return std::nullopt;
-  const double apart = solid->at(point_at(ray, t));
-  return near < apart && apart <= length;
+  if (is_hit && (t - right->hits.t[0]) * glm::length(ray.direction) >= -early) return std::nullopt;
+  return early < apart && apart <= length;
 }
 
 }  // namespace rayproof::diagnosis

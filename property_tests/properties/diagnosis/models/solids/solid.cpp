@@ -88,6 +88,23 @@ Answers nearest_point_of_line(const Case& one, const Answer& exact) {
   return answers;
 }
 
+Answers t_from_scaled_origin(const Case& one, const Answer& /*exact*/) {
+  const auto* sphere = shape_in<Sphere<double>>(one);
+  if (sphere == nullptr || sphere->radius == 0) return {};
+  const Ray<double> ray = ray_in_object(*ray_question(one));
+  const glm::dvec3 moved = (ray.origin - sphere->center) / sphere->radius;
+  RayAnswer line = hits_of_line(one), admitted = line;
+  admitted.hits = {};
+  for (double& t : line.hits.t) {
+    const bool is_hit = &t < line.hits.t.data() + line.hits.count && in_interval(ray_question(one)->ray, t);
+    t = glm::length(point_at(ray, t) - moved);
+    if (is_hit) admitted.hits.push_back(t);
+  }
+  // The interval is compared with what is computed, or with the right t.
+  return {hits_where(line, [&](double t) { return in_interval(ray_question(one)->ray, t); }),
+          hits_where(admitted, [](double) { return true; })};
+}
+
 Answers half_chord(const Case& one, const Answer& exact) {
   if (shape_in<Sphere<double>>(one) == nullptr || std::get<RayAnswer>(exact).hits.count == 0) return {};
   const RayAnswer line = hits_of_line(one);

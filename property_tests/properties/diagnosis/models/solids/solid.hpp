@@ -56,6 +56,8 @@ template <int times>
 [[nodiscard]] Answers sphere_without_sign(const Case& one, const Answer& exact);
 [[nodiscard]] Answers nearest_point_of_line(const Case& one, const Answer& exact);
 /// Half of the chord that a sphere cuts from the line: √D / a, without the line's nearest point.
+/// t is the distance of the hit from the origin's way from the centre, in radii: that was kept in its place.
+[[nodiscard]] Answers t_from_scaled_origin(const Case& one, const Answer& exact);
 [[nodiscard]] Answers half_chord(const Case& one, const Answer& exact);
 /// Half of the chord is r - d, d the distance of the centre from the line, and must be √(r² - d²).
 [[nodiscard]] Answers half_chord_by_difference(const Case& one, const Answer& exact);

@@ -32,6 +32,18 @@ bool is_hit_along_mirrored(const Case& one, const Answer& exact) {
   return !finds_something(exact) && std::ranges::any_of(slab_along_mirrored(one, exact), finds_something);
 }
 
+Answers first_slab_alone(const Case& one, const Answer& /*exact*/) {
+  const auto cube = cube_in(one);
+  if (!cube) return {};
+  for (int axis = 0; axis < 3; ++axis) {
+    const double o = cube->ray.origin[axis], d = cube->ray.direction[axis];
+    const double low = cube->low[axis] - o, high = cube->high[axis] - o;
+    if (d != 0) return inside_from(one, std::min(low / d, high / d), std::max(low / d, high / d));
+    if (low > 0 || high < 0) return {RayAnswer{}};
+  }
+  return {};
+}
+
 Answers missed_from_beyond(const Case& one, const Answer& exact) {
   const auto cube = cube_in(one);
   if (!cube || !finds_something(exact)) return {};

@@ -13,6 +13,8 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers slab_along_mirrored(const Case& one, const Answer& exact);
 /// Whether something is found so where nothing is.
 [[nodiscard]] bool is_hit_along_mirrored(const Case& one, const Answer& exact);
+/// Of the slabs only the first that the line crosses is looked at: the loop ends there.
+[[nodiscard]] Answers first_slab_alone(const Case& one, const Answer& exact);
 /// A ray from beyond the solid's planes misses, whatever its direction: beyond the upper one, or the lower
 /// one, of an axis, or of any. Of rays from there that head away, or miss, that is right. An answer for each
 /// such mistake, always in the same order.

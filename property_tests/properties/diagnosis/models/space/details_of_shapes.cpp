@@ -67,7 +67,8 @@ Answers point_by_other_weights(const Case& one, const Answer& exact) {
 std::vector<Case> whole_sizes(const Case& one) {
   return with_question(one, [](RayQuestion& asked) {
     const std::vector<double*> sizes = sizes_in(asked);
-    for (double* size : sizes) *size = std::trunc(*size);
+    constexpr double largest = 2147483647;  // of 32 bits
+    for (double* size : sizes) *size = std::min(std::trunc(*size), largest);
     return !sizes.empty();
   });
 }
