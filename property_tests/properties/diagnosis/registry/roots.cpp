@@ -6,6 +6,7 @@
 #include "properties/diagnosis/models/curved/quadratic.hpp"
 #include "properties/diagnosis/models/curved/root_formula.hpp"
 #include "properties/diagnosis/models/curved/shortcuts.hpp"
+#include "properties/diagnosis/models/curved/small_discriminant.hpp"
 #include "properties/diagnosis/models/curved/wrong_roots.hpp"
 #include "properties/diagnosis/registry/lines.hpp"
 
