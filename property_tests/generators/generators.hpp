@@ -29,6 +29,8 @@ struct Family {
   Question (*ask)(Random&, Precision) = nullptr;
   std::vector<MinimumShare> shares{};
   std::string topic{};  ///< "sphere"; given by the registry
+  /// Hard alone for who has more digits than the format: a guest is asked it where the family is named.
+  bool is_beyond_the_digits = false;
 
   /// The case that the seed stands for; the same seed always gives the same case.
   [[nodiscard]] Case generate(std::uint64_t seed, Precision precision) const {

@@ -32,6 +32,15 @@ template <auto layout>
   return {name, description, ask<layout, leave>, std::move(shares)};
 }
 
+/// The same of a layout that is hard alone for methods that have more digits than the format.
+template <auto layout>
+[[nodiscard]] Family beyond_the_digits(const char* name, const char* description,
+                                       std::vector<MinimumShare> shares) {
+  Family family = laid_out<layout>(name, description, std::move(shares));
+  family.is_beyond_the_digits = true;
+  return family;
+}
+
 /// Ends the interval of a ray that is aimed at the surface there, or a few ulps beside.
 inline void cut(Random& random, Precision precision, Scene& scene) {
   const int kind = random.between(0, 4);

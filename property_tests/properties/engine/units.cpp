@@ -19,12 +19,18 @@ static Unit unit_of(const Plan& plan, const Subject& subject, const Family& fami
   return unit;
 }
 
+/// Whether a subject is asked cases of the family.
+static bool is_asked(const Plan& plan, const Subject& subject, const Family& family) {
+  const bool is_for_all = !family.is_beyond_the_digits || !plan.settings.families.empty();
+  return family.topic == subject.topic && (is_for_all || subject.has_own_contract);
+}
+
 std::vector<Unit> units_of(const Plan& plan) {
   std::vector<Unit> units;
   for (const Subject* subject : plan.subjects)
     for (const Precision precision : plan.precisions)
       for (const Family* family : plan.families)
-        if (family->topic == subject->topic) units.push_back(unit_of(plan, *subject, *family, precision));
+        if (is_asked(plan, *subject, *family)) units.push_back(unit_of(plan, *subject, *family, precision));
   return units;
 }
 

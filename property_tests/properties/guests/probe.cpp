@@ -171,7 +171,7 @@ struct Learnt {
 std::vector<Case> cases_for(const Subject& guest, std::uint64_t seed, Precision precision) {
   std::vector<Case> cases;
   for (const Family& family : families()) {
-    if (family.topic != guest.topic) continue;
+    if (family.topic != guest.topic || family.is_beyond_the_digits) continue;
     const unsigned count = family.name == "whole" ? cases_on_boundaries : cases_of_family;
     for (unsigned k = 0; k < count; ++k) cases.push_back(family.generate(combine(seed, k), precision));
   }

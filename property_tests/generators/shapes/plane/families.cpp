@@ -201,7 +201,7 @@ std::vector<Family> plane_families() {
       laid_out<beside_the_plane>("beside_the_plane",
                                  "near the plane and far from the point that gives it, which is 0 or near it",
                                  {in_reach, {"hit", 0.4}, {"miss", 0.3}}),
-      laid_out<hard_to_round>("hard_to_round", hard::to_round_description, {in_reach, {"hit", 0.3}}),
+      beyond_the_digits<hard_to_round>("hard_to_round", hard::to_round_description, {in_reach, {"hit", 0.3}}),
       cut_short<met>({in_reach, {"hit", 0.49}, {"miss", 0.35}, {"in surface", 0.03}, {"behind", 0.3}}),
       placed<met>({{"in reach", 0.97}, {"hit", 0.25}, {"miss", 0.4}}),
       transformed<everyday, in_plane>(

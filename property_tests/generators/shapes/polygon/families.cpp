@@ -40,9 +40,10 @@ std::vector<Family> polygon_families() {
       laid_out<off_origin>("off_origin", displaced_description, {in_reach, {"hit", 0.3}, {"miss", 0.4}}),
       laid_out<not_flat>("not_flat", "in whole numbers: the vertices lie in no plane",
                          {in_reach, {"hit", 0.3}, {"miss", 0.3}}),
-      laid_out<hard_to_round>("hard_to_round", hard::to_round_description, {in_reach, {"hit", 0.15}}),
-      laid_out<hard_to_decide>("hard_to_decide", hard::to_decide_description,
-                               {in_reach, {"hit", 0.3}, {"miss", 0.3}}),
+      beyond_the_digits<hard_to_round>("hard_to_round", hard::to_round_description,
+                                       {in_reach, {"hit", 0.15}}),
+      beyond_the_digits<hard_to_decide>("hard_to_decide", hard::to_decide_description,
+                                        {in_reach, {"hit", 0.3}, {"miss", 0.3}}),
       cut_short<met>(
           {in_reach, {"hit", 0.37}, {"miss", 0.46}, {"edge", 0.18}, {"vertex", 0.1}, {"behind", 0.2}}),
       placed<met>({{"in reach", 0.97}, {"hit", 0.25}, {"miss", 0.4}}),

@@ -47,9 +47,9 @@ std::vector<Family> triangle_families() {
        ask<corners, move_and_look_again>,
        {in_reach, {"hit", 0.7}}},
       laid_out<off_origin>("off_origin", displaced_description, {in_reach, {"hit", 0.33}, {"miss", 0.4}}),
-      laid_out<hard_to_round>("hard_to_round", hard::to_round_description, {in_reach, {"hit", 0.3}}),
-      laid_out<hard_to_decide>("hard_to_decide", hard::to_decide_description,
-                               {in_reach, {"hit", 0.3}, {"miss", 0.3}, {"edge", 0.05}}),
+      beyond_the_digits<hard_to_round>("hard_to_round", hard::to_round_description, {in_reach, {"hit", 0.3}}),
+      beyond_the_digits<hard_to_decide>("hard_to_decide", hard::to_decide_description,
+                                        {in_reach, {"hit", 0.3}, {"miss", 0.3}, {"edge", 0.05}}),
       in_whole_numbers<whole_numbers>(
           "so short that little is rounded: edges, vertices, their lines, the plane",
           {in_reach, {"hit", 0.55}, {"miss", 0.29}, {"edge", 0.26}, {"vertex", 0.25}, {"in surface", 0.15}}),
