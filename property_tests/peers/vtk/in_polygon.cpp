@@ -16,7 +16,8 @@ bool is_in_polygon(const PointAndPolygon<double>& asked) {
     bounds[2] = std::min(bounds[2], y), bounds[3] = std::max(bounds[3], y);
   }
   double point[3] = {asked.point.x, asked.point.y, 0}, normal[3] = {0, 0, 1};
-  LibraryCall call("vtkPolygon::PointInPolygon", R"(#include <vtkPolygon.h>
+  LibraryCall call("vtkPolygon::PointInPolygon", R"(#include <vtkMath.h>
+#include <vtkPolygon.h>
 double corners[][3] = {$vertices}, point[] = {$point, 0}, normal[] = {0, 0, 1};
 double bounds[] = {$x0, $x1, $y0, $y1, 0, 0};
 const int count = sizeof corners / sizeof *corners;
