@@ -9,6 +9,9 @@
 #include "generators/scene.hpp"
 
 namespace rayproof {
+
+inline void PrintTo(Precision precision, std::ostream* out) { *out << name_of(precision); }
+
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
