@@ -84,8 +84,8 @@ class PolygonIntersection final : public OutlinedIntersection {
   }
 
  private:
-  /// How much larger the normal's largest component is than the axis's, in units of what moving each vertex by
-  /// its own length would make of it; endless where the polygon, seen along the axis, is met all the same.
+  /// How much larger the normal's largest component is than the axis's, in units of what moving each vertex
+  /// by its own length would make of it; endless where the polygon, seen along the axis, is met all the same.
   [[nodiscard]] Scaled lead_over(int axis) const {
     if (is_parallel()) return endless();
     const Vector<Ring>& normal = plane_normal();

@@ -6,6 +6,7 @@
 #include <string>
 #include <tuple>
 
+#include "properties/diagnosis/hypothesis.hpp"
 #include "properties/shrink/shrink.hpp"
 
 namespace rayproof {
