@@ -15,6 +15,9 @@ namespace rayproof {
 
 struct Hypothesis;
 
+/// What a cause is called, whatever its limit; defined where the causes are.
+[[nodiscard]] std::string_view name_without_limit(const Hypothesis& cause);
+
 /// One broken property; of several faults that break it, one.
 struct Finding {
   std::size_t number = 0;  ///< from 1: the line in the findings file of the run; 0 before they are in order

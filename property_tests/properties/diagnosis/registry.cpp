@@ -2,6 +2,11 @@
 
 namespace rayproof {
 
+std::string_view name_without_limit(const Hypothesis& cause) {
+  const std::string_view stem = stem_of_limit(cause.name);
+  return stem.empty() ? cause.name : stem;
+}
+
 const std::vector<HypothesisTable>& hypothesis_tables() {
   using namespace diagnosis;
   static const std::vector<HypothesisTable> all{

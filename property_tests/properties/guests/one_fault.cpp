@@ -6,7 +6,6 @@
 #include <string>
 #include <tuple>
 
-#include "properties/diagnosis/hypothesis.hpp"
 #include "properties/shrink/shrink.hpp"
 
 namespace rayproof {
@@ -32,9 +31,9 @@ bool is_of_hits(const Finding& finding) {
 /// What makes two findings one: the cause, whatever its limit, or, where none is known, what they speak of.
 auto fault_of(const Finding& finding) {
   const bool is_one = finding.cause != nullptr || is_of_hits(finding);
-  const std::string_view cause = finding.cause == nullptr ? std::string_view{} : finding.cause->name;
-  const std::string_view stem = stem_of_limit(cause);
-  return std::tuple(finding.subject, stem.empty() ? cause : stem, is_one ? nullptr : finding.property);
+  const std::string_view cause =
+      finding.cause == nullptr ? std::string_view{} : name_without_limit(*finding.cause);
+  return std::tuple(finding.subject, cause, is_one ? nullptr : finding.property);
 }
 
 /// What went wrong without its numbers, and without what the program said of it: two findings of the protocol
