@@ -145,4 +145,7 @@ struct Binding {
 /// steps.
 [[nodiscard]] std::set<std::string> recorded_names(const Walkthrough& walk);
 
+/// The point of an ellipsoid that lies farthest in a direction.
+[[nodiscard]] glm::dvec3 farthest_of(const StageItem& ellipsoid, const glm::dvec3& direction);
+
 }  // namespace rayproof::viz
