@@ -9,6 +9,9 @@
 /// on lattices, too ("Worst Cases for Correct Rounding of the Elementary Functions in Double Precision",
 /// 2001).
 
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
 #include "generators/aim.hpp"
 #include "generators/lattice.hpp"
 
@@ -28,6 +31,8 @@ inline constexpr const char* to_round_description =
     "t is beside the middle of two numbers, or an end of the interval, by a part that twice the digits hide";
 inline constexpr const char* to_decide_description =
     "the line passes an edge by a part that twice the digits hide, or exactly through it";
+inline constexpr const char* to_meet_description =
+    "the ray runs along the surface but for a part that twice the digits hide, or exactly along it";
 
 /// All x with n·x = height, in steps of the shape's grid; n has no common factor.
 struct WholePlane {
@@ -102,6 +107,54 @@ struct WholePlane {
   return scene_of(grid, shape, lattice::PlaneLattice(n).point_near(lattice::whole(drawn, grid.origin), steps),
                   direction);
 }
+
+/// A ray that runs along the plane but for next to nothing, an eighth of the time exactly, and meets it near
+/// `target`; or it begins there.
+[[nodiscard]] inline std::optional<Scene> to_meet(Random& random, const Grid& grid, const Shape& shape,
+                                                  const WholePlane& plane, const glm::dvec3& target) {
+  const lattice::PlaneLattice points(plane.n);
+  const Whole size = abs(plane.n[0]) + abs(plane.n[1]) + abs(plane.n[2]);
+  const glm::dvec3 normal = lattice::vector(plane.n, static_cast<int>(msb(size)));
+  const Whole r = random.one_in(8) ? Whole(0) : next_to_nothing(random, size << grid.digits, grid);
+  const WholeVector direction = points.point_near(
+      lattice::whole(draw::perpendicular(random, glm::normalize(normal)), grid.direction), r);
+  if (lattice::dot(direction, direction) == 0) return std::nullopt;
+  const int t = random.between(0, 7);
+  const Whole off = random.one_in(2) ? Whole(0) : next_to_nothing(random, size << grid.digits, grid);
+  const Whole steps =
+      (plane.height << (grid.origin - grid.shape)) - t * (r << (grid.origin - grid.direction)) + off;
+  const glm::dvec3 drawn = target - double{1} * t * lattice::vector(direction, grid.direction);
+  return scene_of(grid, shape, points.point_near(lattice::whole(drawn, grid.origin), steps), direction);
+}
+
+/// A map of halves of small whole numbers, which rounds nothing on the grid of shapes; most often the
+/// identity. What is hard for the mapped figure in the world is as hard for the figure under the map.
+struct ShortMap {
+  glm::dmat3 linear{1};
+  glm::dvec3 by{};
+
+  [[nodiscard]] static ShortMap some(Random& random) {
+    ShortMap map;
+    if (!random.one_in(3)) return map;
+    do {
+      map.linear = {0.5 * whole_point(random, 3), 0.5 * whole_point(random, 3), 0.5 * whole_point(random, 3)};
+    } while (glm::determinant(map.linear) == 0);
+    map.by = whole_point(random, 4);
+    return map;
+  }
+  [[nodiscard]] glm::dvec3 point(const glm::dvec3& p) const { return linear * p + by; }
+  [[nodiscard]] glm::dvec3 vector(const glm::dvec3& v) const { return linear * v; }
+  /// The scene, whose shape is not mapped yet, under this map.
+  [[nodiscard]] std::optional<Scene> put(std::optional<Scene> scene) const {
+    if (!scene || linear == glm::dmat3(1)) return scene;
+    glm::dmat4 whole(linear);
+    whole[3] = glm::dvec4(by, 1);
+    scene->transform = whole;
+    return scene;
+  }
+};
+/// The grid of a figure whose mapped numbers lie on the grid of shapes.
+[[nodiscard]] inline int before_the_map(const Grid& grid) { return grid.shape - 1; }
 
 /// The first scene that `draw(grid)` gives.
 [[nodiscard]] Scene first_drawn(Precision precision, auto&& draw) {

@@ -33,10 +33,10 @@ template <auto layout>
 }
 
 /// The same of a layout that is hard alone for methods that have more digits than the format.
-template <auto layout>
+template <auto layout, auto change = leave>
 [[nodiscard]] Family beyond_the_digits(const char* name, const char* description,
                                        std::vector<MinimumShare> shares) {
-  Family family = laid_out<layout>(name, description, std::move(shares));
+  Family family{name, description, ask<layout, change>, std::move(shares)};
   family.is_beyond_the_digits = true;
   return family;
 }
@@ -131,6 +131,15 @@ inline void move_exactly(Random& random, Precision /*precision*/, Scene& scene) 
   move_by(scene, linear, whole());
 }
 
+/// By a stretch along the axes by powers of two, a quarter of the time: every number stays as hard as it was.
+inline void maybe_stretch(Random& random, Precision /*precision*/, Scene& scene) {
+  if (!random.one_in(4)) return;
+  glm::dmat3 linear(0);
+  for (int axis = 0; axis < 3; ++axis)
+    linear[axis][axis] = std::ldexp(random.one_in(2) ? 1 : -1, random.between(-4, 4));
+  move_by(scene, linear, glm::dvec3(0));
+}
+
 /// The layout under an affine map; a third of the time one of whole numbers under a whole map, where there is
 /// such a layout, so that the world's ray, too, passes exactly where it was aimed.
 template <auto layout, auto whole = nullptr>
@@ -189,6 +198,23 @@ template <auto layout>
 [[nodiscard]] Family in_small(std::vector<MinimumShare> shares) {
   return {"small", "2^-16 to 2^-3 times as large as others, half the time with as short a direction",
           ask<layout, shrink>, std::move(shares)};
+}
+
+/// Makes it nearly as small as the contracts go (2^-28, of doubles 2^-240), half the time with as short a
+/// direction: products of two of its lengths are numbers still, and the squares of those are none.
+inline void shrink_to_the_least(Random& random, Precision precision, Scene& scene) {
+  const double size = std::exp2(random.between(2, 8) - (precision == Precision::float32 ? 28 : 240));
+  scene.origin *= size;
+  scene.direction *= random.one_in(2) ? size : 1;
+  std::visit([size](auto& shape) { shape = grown(shape, size); }, scene.shape);
+}
+
+template <auto layout>
+[[nodiscard]] Family in_least_size(std::vector<MinimumShare> shares) {
+  Family family{"least", "as small as the contracts go, and slender: what is made of it underflows",
+                ask<layout, shrink_to_the_least>, std::move(shares)};
+  family.is_beyond_the_digits = true;
+  return family;
 }
 
 template <auto layout>

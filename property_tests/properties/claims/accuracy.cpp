@@ -75,11 +75,19 @@ Evidence show_digits(Trial& trial) {
                                  robust_bound(trial.subject().topic).value_or(0)));
 }
 
-/// Bit for bit what the oracle answers; 0 and -0 are one number. A ray that is rounded on its way into the
-/// object's space is no longer the case's.
+/// Whether a ray's t is -0: what is rounded once is +0 there.
+bool has_minus_zero(const Answer& claimed) {
+  const auto* answer = std::get_if<RayAnswer>(&claimed);
+  return answer != nullptr &&
+         std::ranges::any_of(answer->hits.view(), [](double t) { return t == 0 && std::signbit(t); });
+}
+
+/// Bit for bit what the oracle answers; 0 and -0 are one number of a quadratic. A ray that is rounded on its
+/// way into the object's space is no longer the case's.
 Ruling rounded(Trial& trial) {
   if (is_transformed(trial.question()) && !trial.subject().takes_transforms) return Ruling::outside;
   if (!trial.in_domain()) return Ruling::outside;
+  if (trial.subject().has_own_contract && has_minus_zero(trial.claimed())) return Ruling::broken;
   return same(trial.claimed(), oracle::answer(trial.question())) ? Ruling::held : Ruling::broken;
 }
 
@@ -145,6 +153,7 @@ Evidence show_ulp(Trial& trial) {
 }
 
 Evidence show_rounded(Trial& trial) {
+  if (has_minus_zero(trial.claimed())) return show_answer(trial, "t is -0 where the exact one is 0");
   return trial.judgement().wrong ? show_verdict(trial) : show_ulp(trial);
 }
 

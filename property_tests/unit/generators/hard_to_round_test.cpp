@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include "generators/generators.hpp"
@@ -26,6 +27,28 @@ RationalVector rational_cross(const RationalVector& a, const RationalVector& b) 
 }
 Rational rational_dot(const RationalVector& a, const RationalVector& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// A place or, without the move, a direction of the object as the case's map puts it into the world.
+RationalVector in_world(const RayQuestion& one, const glm::dvec3& v, bool is_place = true) {
+  if (!one.transform) return rational(v);
+  const glm::dmat4& map = *one.transform;
+  RationalVector mapped;
+  for (int row = 0; row < 3; ++row)
+    mapped.at(static_cast<std::size_t>(row)) =
+        Rational(map[0][row]) * Rational(v.x) + Rational(map[1][row]) * Rational(v.y) +
+        Rational(map[2][row]) * Rational(v.z) + (is_place ? Rational(map[3][row]) : Rational(0));
+  return mapped;
+}
+/// A ray's place or direction in the space of an object that is stretched along the axes.
+RationalVector before_the_stretch(const RayQuestion& one, const glm::dvec3& v) {
+  RationalVector own = rational(v);
+  if (one.transform)
+    for (int i = 0; i < 3; ++i) own.at(static_cast<std::size_t>(i)) /= Rational((*one.transform)[i][i]);
+  return own;
+}
+int mapped_ones(const std::vector<RayQuestion>& cases) {
+  return static_cast<int>(std::ranges::count_if(cases, [](const auto& one) { return !!one.transform; }));
 }
 
 /// The family's cases of a precision.
@@ -54,9 +77,9 @@ TEST_P(HardCases, TheTOfATriangleIsBesideANumberOrTheMiddleOfTwo) {
   int nearer_than_double_the_digits = 0;
   for (const RayQuestion& one : cases_of("triangle", "hard_to_round", GetParam())) {
     const auto& shape = std::get<Triangle<double>>(one.shape);
-    const RationalVector a = rational(shape.a), o = rational(one.ray.origin);
+    const RationalVector a = in_world(one, shape.a), o = rational(one.ray.origin);
     const RationalVector n =
-        rational_cross(rational_minus(rational(shape.b), a), rational_minus(rational(shape.c), a));
+        rational_cross(rational_minus(in_world(one, shape.b), a), rational_minus(in_world(one, shape.c), a));
     const double off = from_a_midpoint(
         rational_dot(n, rational_minus(a, o)) / rational_dot(n, rational(one.ray.direction)), digits);
     EXPECT_LE(off, std::exp2(-1.4 * digits));
@@ -70,7 +93,7 @@ TEST_P(HardCases, ATrianglesEdgeIsPassedByNextToNothingOnBothSidesAndOnIt) {
   std::array<int, 3> sides{};
   for (const RayQuestion& one : cases_of("triangle", "hard_to_decide", GetParam())) {
     const auto& shape = std::get<Triangle<double>>(one.shape);
-    const RationalVector corners[] = {rational(shape.a), rational(shape.b), rational(shape.c)},
+    const RationalVector corners[] = {in_world(one, shape.a), in_world(one, shape.b), in_world(one, shape.c)},
                          d = rational(one.ray.direction);
     Rational nearest(1);
     for (int i = 0; i < 3; ++i) {
@@ -93,8 +116,8 @@ TEST_P(HardCases, ARayPassesASphereByNextToNothingBothInsideAndOutside) {
   std::array<int, 3> sides{};
   for (const RayQuestion& one : cases_of("sphere", "hard_to_decide", GetParam())) {
     const auto& shape = std::get<Sphere<double>>(one.shape);
-    const RationalVector f = rational_minus(rational(one.ray.origin), rational(shape.center)),
-                         d = rational(one.ray.direction);
+    const RationalVector f = rational_minus(before_the_stretch(one, one.ray.origin), rational(shape.center)),
+                         d = before_the_stretch(one, one.ray.direction);
     const Rational r(shape.radius), b = rational_dot(f, d), a = rational_dot(d, d);
     const Rational part = (b * b - a * (rational_dot(f, f) - r * r)) / (a * r * r);
     EXPECT_LE(abs(part).convert_to<double>(), std::exp2(-digits));
@@ -102,6 +125,32 @@ TEST_P(HardCases, ARayPassesASphereByNextToNothingBothInsideAndOutside) {
   }
   EXPECT_GT(sides[0], 50);
   EXPECT_GT(sides[2], 30);
+}
+
+TEST_P(HardCases, AParallelepipedsFaceIsRunAlongButForNextToNothing) {
+  const int digits = draw::digits_of(GetParam());
+  int slight = 0, along = 0;
+  for (const RayQuestion& one : cases_of("parallelepiped", "hard_to_meet", GetParam())) {
+    const auto& solid = std::get<Parallelepiped<double>>(one.shape);
+    const RationalVector d = rational(one.ray.direction);
+    double least = 1;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const RationalVector e = in_world(one, solid.edges[i], false),
+                           f = in_world(one, solid.edges[(i + 1) % 3], false), n = rational_cross(e, f);
+      const Rational by = rational_dot(n, d), size = rational_dot(n, n) * rational_dot(d, d);
+      least = std::min(least, std::sqrt(Rational(by * by / size).convert_to<double>()));
+    }
+    EXPECT_LE(least, std::exp2(-1.2 * digits));
+    along += int{least == 0};
+    slight += int{least > 0 && least < std::exp2(-1.8 * digits)};
+  }
+  EXPECT_GT(along, 10);
+  EXPECT_GT(slight, 90);
+}
+
+TEST_P(HardCases, SomeLieUnderAMap) {
+  for (const char* topic : {"triangle", "polygon", "plane", "box", "parallelepiped", "sphere", "cylinder"})
+    EXPECT_GT(mapped_ones(cases_of(topic, "hard_to_round", GetParam())), 10) << topic;
 }
 
 INSTANTIATE_TEST_SUITE_P(InBothPrecisions, HardCases, testing::Values(Precision::float32, Precision::float64),

@@ -39,9 +39,9 @@ std::vector<Family> cylinder_families() {
           {in_reach, {"hit", 0.66}, {"miss", 0.18}, {"rim", 0.1}, {"cut", 0.24}, {"from inside", 0.1}}),
       laid_out<no_height>("no_height", "a height of 0, or hardly any",
                           {in_reach, {"hit", 0.56}, {"miss", 0.28}, {"rim", 0.38}}),
-      beyond_the_digits<hard_to_round>("hard_to_round", hard::to_round_description,
-                                       {{"in reach", 0.7}, {"hit", 0.5}}),
-      beyond_the_digits<hard_to_decide>(
+      beyond_the_digits<hard_to_round, maybe_stretch>("hard_to_round", hard::to_round_description,
+                                                      {{"in reach", 0.7}, {"hit", 0.5}}),
+      beyond_the_digits<hard_to_decide, maybe_stretch>(
           "hard_to_decide",
           "the line passes a rim by a part that twice the digits hide, or exactly through it",
           {in_reach, {"hit", 0.3}}),

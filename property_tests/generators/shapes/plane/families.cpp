@@ -118,11 +118,15 @@ Scene skewed(Random& random) {
 /// The plane's two forms with a normal have one of the grid; what else gives them is on it, too.
 Scene hard_to_round(Random& random, Precision precision) {
   return hard::first_drawn(precision, [&](const hard::Grid& grid) -> std::optional<Scene> {
-    const Sheet sheet = lattice::on_grid(in_a_room(random), grid.shape);
+    const Sheet sheet = lattice::on_grid(in_a_room(random), hard::before_the_map(grid));
     const int form = random.between(0, 2);
-    if (form == 0)
-      return hard::to_round(random, grid, sheet, hard::plane_along(grid, sheet.point, sheet.u, sheet.v),
-                            somewhere(random, sheet));
+    if (form == 0) {
+      const hard::ShortMap map = hard::ShortMap::some(random);
+      const Sheet mapped{map.point(sheet.point), map.vector(sheet.u), map.vector(sheet.v)};
+      return map.put(hard::to_round(random, grid, sheet,
+                                    hard::plane_along(grid, mapped.point, mapped.u, mapped.v),
+                                    somewhere(random, mapped)));
+    }
     const glm::dvec3 normal = lattice::on_grid(normal_of(sheet), grid.shape);
     const auto n = lattice::whole(normal, grid.shape);
     if (lattice::primitive(n) != n) return std::nullopt;
@@ -133,6 +137,18 @@ Scene hard_to_round(Random& random, Precision precision) {
     const double d = lattice::on_grid(-dot(normal, sheet.point), grid.shape);
     const auto height = lattice::whole({-d, 0, 0}, 2 * grid.shape)[0];
     return hard::to_round(random, grid, ImplicitPlane{normal, d}, {n, height}, somewhere(random, sheet));
+  });
+}
+
+/// Of a plane given by two vectors; begins in its point now and then.
+Scene hard_to_meet(Random& random, Precision precision) {
+  return hard::first_drawn(precision, [&](const hard::Grid& grid) {
+    const hard::ShortMap map = hard::ShortMap::some(random);
+    const Sheet own = lattice::on_grid(in_a_room(random), hard::before_the_map(grid)),
+                sheet{map.point(own.point), map.vector(own.u), map.vector(own.v)};
+    const glm::dvec3 target = random.one_in(4) ? sheet.point : somewhere(random, sheet);
+    return map.put(
+        hard::to_meet(random, grid, own, hard::plane_along(grid, sheet.point, sheet.u, sheet.v), target));
   });
 }
 
@@ -202,6 +218,9 @@ std::vector<Family> plane_families() {
                                  "near the plane and far from the point that gives it, which is 0 or near it",
                                  {in_reach, {"hit", 0.4}, {"miss", 0.3}}),
       beyond_the_digits<hard_to_round>("hard_to_round", hard::to_round_description, {in_reach, {"hit", 0.3}}),
+      beyond_the_digits<hard_to_meet>("hard_to_meet", hard::to_meet_description,
+                                      {in_reach, {"hit", 0.3}, {"miss", 0.05}}),
+      in_least_size<skewed>({{"in reach", 0.6}, {"hit", 0.95}}),
       cut_short<met>({in_reach, {"hit", 0.49}, {"miss", 0.35}, {"in surface", 0.03}, {"behind", 0.3}}),
       placed<met>({{"in reach", 0.97}, {"hit", 0.25}, {"miss", 0.4}}),
       transformed<everyday, in_plane>(

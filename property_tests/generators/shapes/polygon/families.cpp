@@ -44,6 +44,9 @@ std::vector<Family> polygon_families() {
                                        {in_reach, {"hit", 0.15}}),
       beyond_the_digits<hard_to_decide>("hard_to_decide", hard::to_decide_description,
                                         {in_reach, {"hit", 0.3}, {"miss", 0.3}}),
+      beyond_the_digits<hard_to_meet>("hard_to_meet", hard::to_meet_description,
+                                      {in_reach, {"hit", 0.1}, {"miss", 0.3}}),
+      in_least_size<in_space<layout::narrow>>({{"hit", 0.25}, {"miss", 0.3}}),
       cut_short<met>(
           {in_reach, {"hit", 0.37}, {"miss", 0.46}, {"edge", 0.18}, {"vertex", 0.1}, {"behind", 0.2}}),
       placed<met>({{"in reach", 0.97}, {"hit", 0.25}, {"miss", 0.4}}),

@@ -102,36 +102,53 @@ template <const outline_layout::Layout& layout>
                           : in_space<outline_layout::everyday>(random);
 }
 
-/// An everyday outline whose vertices are exactly in a plane, on a grid.
+/// An everyday outline whose vertices are exactly in a plane, on a grid, under a map now and then; and what
+/// the map makes of it.
 struct OnGrid {
-  Sheet sheet;
+  hard::ShortMap map;
+  Sheet sheet;  ///< in the world
   PolygonCase plan;
-  Polygon<double> polygon;
+  Polygon<double> own, in_world;
 
   OnGrid(Random& random, const hard::Grid& grid)
-      : sheet(lattice::on_grid(any_sheet(random), grid.shape - 3)),
-        plan(outline_layout::everyday.plan(random)) {
+      : map(hard::ShortMap::some(random)), plan(outline_layout::everyday.plan(random)) {
+    const Sheet drawn = lattice::on_grid(any_sheet(random), hard::before_the_map(grid) - 3);
     plan.vertices = lattice::on_grid(plan.vertices, 3);
-    polygon = lifted(sheet, plan.vertices);
+    own = lifted(drawn, plan.vertices);
+    sheet = {map.point(drawn.point), map.vector(drawn.u), map.vector(drawn.v)};
+    in_world = lifted(sheet, plan.vertices);
+  }
+  [[nodiscard]] hard::WholePlane plane(const hard::Grid& grid) const {
+    return hard::plane_along(grid, sheet.point, sheet.u, sheet.v);
   }
 };
 
 [[nodiscard]] inline Scene hard_to_round(Random& random, Precision precision) {
   return hard::first_drawn(precision, [&](const hard::Grid& grid) {
     const OnGrid drawn(random, grid);
-    const Sheet& sheet = drawn.sheet;
-    return hard::to_round(random, grid, drawn.polygon, hard::plane_along(grid, sheet.point, sheet.u, sheet.v),
-                          at(sheet, drawn.plan.point));
+    return drawn.map.put(
+        hard::to_round(random, grid, drawn.own, drawn.plane(grid), at(drawn.sheet, drawn.plan.point)));
   });
 }
 
 [[nodiscard]] inline Scene hard_to_decide(Random& random, Precision precision) {
   return hard::first_drawn(precision, [&](const hard::Grid& grid) {
     const OnGrid drawn(random, grid);
-    const auto& vertices = drawn.polygon.vertices;
+    const auto& vertices = drawn.in_world.vertices;
     const auto i = static_cast<std::size_t>(random.between(0, static_cast<int>(vertices.size()) - 1));
     const glm::dvec3 corner = vertices[i], side = vertices[(i + 1) % vertices.size()] - corner;
-    return hard::to_decide(random, grid, drawn.polygon, corner, side, corner + random.unit() * side);
+    return drawn.map.put(
+        hard::to_decide(random, grid, drawn.own, corner, side, corner + random.unit() * side));
+  });
+}
+
+/// Begins at a vertex now and then.
+[[nodiscard]] inline Scene hard_to_meet(Random& random, Precision precision) {
+  return hard::first_drawn(precision, [&](const hard::Grid& grid) {
+    const OnGrid drawn(random, grid);
+    const glm::dvec3 target =
+        random.one_in(4) ? drawn.in_world.vertices.front() : at(drawn.sheet, drawn.plan.point);
+    return drawn.map.put(hard::to_meet(random, grid, drawn.own, drawn.plane(grid), target));
   });
 }
 

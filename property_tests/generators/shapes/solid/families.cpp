@@ -118,28 +118,70 @@ struct SolidLayouts {
     return {frame.corner + off, any_direction(random), Kind::shape(frame)};
   }
 
+  /// Edges of very different lengths, or two along nearly one line; the ray passes a few roundings from an
+  /// edge.
+  static Scene slender(Random& random, Precision precision) {
+    const Frame frame = Kind::slender(random);
+    const glm::dvec3 target = at(frame, place(random, random.between(1, 3)));
+    Scene scene = looked_at(random, Kind::shape(frame), target);
+    if (random.one_in(4)) return scene;
+    const double step = std::exp2(random.uniform(0, 4) - draw::digits_of(precision)) * glm::length(target);
+    scene.origin += step * draw::unit_vector(random);
+    return scene;
+  }
+
+  /// One on a grid, under a map now and then, and what the map makes of it.
+  struct OnGrid {
+    hard::ShortMap map;
+    Frame own, in_world;
+
+    OnGrid(Random& random, const hard::Grid& grid)
+        : map(hard::ShortMap::some(random)),
+          own(lattice::on_grid(Kind::in_a_room(random), hard::before_the_map(grid))),
+          in_world{map.point(own.corner),
+                   {map.vector(own.edges[0]), map.vector(own.edges[1]), map.vector(own.edges[2])}} {}
+    [[nodiscard]] Shape shape() const { return Kind::shape(own); }
+    [[nodiscard]] hard::WholePlane face(const hard::Grid& grid, int across, const glm::dvec3& end) const {
+      return hard::plane_along(grid, at(in_world, end), edge(in_world, across + 1),
+                               edge(in_world, across + 2));
+    }
+  };
+
   static Scene hard_to_round(Random& random, Precision precision) {
     return hard::first_drawn(precision, [&](const hard::Grid& grid) {
-      const Frame frame = lattice::on_grid(Kind::in_a_room(random), grid.shape);
+      const OnGrid solid(random, grid);
       const int across = random.between(0, 2);
       glm::dvec3 target = draw::vector([&] { return random.unit(); }), end(0);
       target[across] = end[across] = random.between(0, 1);
       if constexpr (std::is_same_v<Kind, Boxes>)
         if (random.one_in(2)) return hard_slabs(random, grid);
-      const auto plane =
-          hard::plane_along(grid, at(frame, end), edge(frame, across + 1), edge(frame, across + 2));
-      return hard::to_round(random, grid, Kind::shape(frame), plane, at(frame, target));
+      return solid.map.put(hard::to_round(random, grid, solid.shape(), solid.face(grid, across, end),
+                                          at(solid.in_world, target)));
     });
   }
 
   static Scene hard_to_decide(Random& random, Precision precision) {
     return hard::first_drawn(precision, [&](const hard::Grid& grid) {
-      const Frame frame = lattice::on_grid(Kind::in_a_room(random), grid.shape);
+      const OnGrid solid(random, grid);
       const int along = random.between(0, 2);
       glm::dvec3 corner = draw::vector([&] { return double{1} * random.between(0, 1); });
       corner[along] = 0;
-      const glm::dvec3 from = at(frame, corner), side = edge(frame, along);
-      return hard::to_decide(random, grid, Kind::shape(frame), from, side, from + random.unit() * side);
+      const glm::dvec3 from = at(solid.in_world, corner), side = edge(solid.in_world, along);
+      return solid.map.put(
+          hard::to_decide(random, grid, solid.shape(), from, side, from + random.unit() * side));
+    });
+  }
+
+  /// Begins at a corner now and then.
+  static Scene hard_to_meet(Random& random, Precision precision) {
+    return hard::first_drawn(precision, [&](const hard::Grid& grid) {
+      const OnGrid solid(random, grid);
+      const int across = random.between(0, 2);
+      glm::dvec3 target = random.one_in(4) ? glm::dvec3(0) : draw::vector([&] { return random.unit(); }),
+                 end(0);
+      target[across] = end[across] = random.between(0, 1);
+      return solid.map.put(hard::to_meet(random, grid, solid.shape(), solid.face(grid, across, end),
+                                         at(solid.in_world, target)));
     });
   }
 
@@ -189,6 +231,12 @@ std::vector<Family> solid_families(const std::vector<MinimumShare>& flat_shares)
                                                {{"in reach", 0.35}, {"hit", 0.5}}),
       beyond_the_digits<Layout::hard_to_decide>("hard_to_decide", hard::to_decide_description,
                                                 {in_reach, {"hit", 0.3}, {"miss", 0.2}}),
+      beyond_the_digits<Layout::hard_to_meet>("hard_to_meet", hard::to_meet_description,
+                                              {in_reach, {"hit", 0.2}, {"miss", 0.1}}),
+      laid_out<Layout::slender>("slender",
+                                "edges of lengths up to 1000 times another's; near an edge or a corner",
+                                {in_reach, {"hit", 0.4}, {"miss", 0.2}}),
+      in_least_size<Layout::slender>({{"hit", 0.4}, {"miss", 0.2}}),
       cut_short<Layout::faces>({in_reach,
                                 {"hit", 0.65},
                                 {"miss", 0.18},

@@ -19,6 +19,14 @@ using Frame = Parallelepiped<double>;
   return frame.corner + along(frame, rst);
 }
 
+/// One or two edges 2^-10 to 1 times as long.
+[[nodiscard]] inline Frame stretched(Random& random, Frame frame) {
+  const int first = random.between(0, 2);
+  for (int k = random.between(1, 2); k > 0; --k)
+    frame.edges.at(static_cast<std::size_t>((first + k) % 3)) *= std::exp2(-random.uniform(0, 10));
+  return frame;
+}
+
 /// Boxes. Their edges run along the axes.
 struct Boxes {
   using Solid = Box<double>;
@@ -46,6 +54,8 @@ struct Boxes {
     if (random.one_in(8)) flat.edges.at(static_cast<std::size_t>((axis + 1) % 3)) *= thinness;
     return flat;
   }
+  /// Edges of very different lengths.
+  [[nodiscard]] static Frame slender(Random& random) { return stretched(random, in_a_room(random)); }
   [[nodiscard]] static Shape shape(const Frame& frame) { return Solid{frame.corner, at(frame, {1, 1, 1})}; }
 };
 
@@ -76,6 +86,16 @@ struct Oblique {
     const double second = random.uniform(-1, 1), first = random.uniform(-1, 1);
     flat.edges[2] = first * flat.edges[0] + second * flat.edges[1] + thinness * flat.edges[2];
     return flat;
+  }
+  /// Edges of very different lengths, and half the time two that run nearly along one line.
+  [[nodiscard]] static Frame slender(Random& random) {
+    Frame frame = stretched(random, in_a_room(random));
+    if (random.one_in(2)) return frame;
+    const int i = random.between(0, 2), j = (i + random.between(1, 2)) % 3;
+    auto& bent = frame.edges.at(static_cast<std::size_t>(j));
+    const double share = random.uniform(-1, 1);
+    bent = share * frame.edges.at(static_cast<std::size_t>(i)) + std::exp2(-random.uniform(2, 8)) * bent;
+    return frame;
   }
   [[nodiscard]] static Shape shape(const Frame& frame) { return frame; }
 };

@@ -101,10 +101,11 @@ std::vector<Family> sphere_families() {
                            {all_in_reach, {"hit", 0.4}, {"from inside", 0.2}}),
       laid_out<interval>("interval", "t_min or t_max at a hit or a few ulps beside it",
                          {all_in_reach, {"hit", 0.4}, {"cut", 0.2}}),
-      beyond_the_digits<hard_to_round>("hard_to_round", hard::to_round_description, {in_reach, {"hit", 0.5}}),
-      beyond_the_digits<hard_to_decide>("hard_to_decide",
-                                        "the line touches, or passes by a part that twice the digits hide",
-                                        {in_reach, {"hit", 0.15}, {"miss", 0.3}}),
+      beyond_the_digits<hard_to_round, maybe_stretch>("hard_to_round", hard::to_round_description,
+                                                      {in_reach, {"hit", 0.5}}),
+      beyond_the_digits<hard_to_decide, maybe_stretch>(
+          "hard_to_decide", "the line touches, or passes by a part that twice the digits hide",
+          {in_reach, {"hit", 0.15}, {"miss", 0.3}}),
       placed<near_its_origin>({{"in reach", 0.97}, {"hit", 0.25}, {"miss", 0.4}}),
       transformed<near_its_origin>({all_in_reach, {"hit", 0.3}, {"miss", 0.1}}),
       in_whole_numbers<whole_numbers>(

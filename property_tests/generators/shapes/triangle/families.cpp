@@ -50,6 +50,9 @@ std::vector<Family> triangle_families() {
       beyond_the_digits<hard_to_round>("hard_to_round", hard::to_round_description, {in_reach, {"hit", 0.3}}),
       beyond_the_digits<hard_to_decide>("hard_to_decide", hard::to_decide_description,
                                         {in_reach, {"hit", 0.3}, {"miss", 0.3}, {"edge", 0.05}}),
+      beyond_the_digits<hard_to_meet>("hard_to_meet", hard::to_meet_description,
+                                      {in_reach, {"hit", 0.1}, {"miss", 0.3}}),
+      in_least_size<slivers>({{"in reach", 0.3}, {"hit", 0.4}}),
       in_whole_numbers<whole_numbers>(
           "so short that little is rounded: edges, vertices, their lines, the plane",
           {in_reach, {"hit", 0.55}, {"miss", 0.29}, {"edge", 0.26}, {"vertex", 0.25}, {"in surface", 0.15}}),

@@ -170,20 +170,43 @@ namespace rayproof::triangle_family {
   return looked_at(triangle, in_or_beside(random, triangle), 1 / length * in_plane + slope, distance, 1);
 }
 
+/// A triangle on a grid, under a map now and then, and what the map makes of it.
+struct OnGrid {
+  hard::ShortMap map;
+  Triangle<double> own, in_world;
+
+  OnGrid(Random& random, const hard::Grid& grid)
+      : map(hard::ShortMap::some(random)),
+        own(lattice::on_grid(in_a_room(random), hard::before_the_map(grid))),
+        in_world{map.point(own.a), map.point(own.b), map.point(own.c)} {}
+  [[nodiscard]] hard::WholePlane plane(const hard::Grid& grid) const {
+    return hard::plane_along(grid, in_world.a, in_world.b - in_world.a, in_world.c - in_world.a);
+  }
+};
+
 [[nodiscard]] inline Scene hard_to_round(Random& random, Precision precision) {
   return hard::first_drawn(precision, [&](const hard::Grid& grid) {
-    const auto t = lattice::on_grid(in_a_room(random), grid.shape);
-    return hard::to_round(random, grid, t, hard::plane_along(grid, t.a, t.b - t.a, t.c - t.a),
-                          inside(random, t));
+    const OnGrid t(random, grid);
+    return t.map.put(hard::to_round(random, grid, t.own, t.plane(grid), inside(random, t.in_world)));
   });
 }
 
 [[nodiscard]] inline Scene hard_to_decide(Random& random, Precision precision) {
   return hard::first_drawn(precision, [&](const hard::Grid& grid) {
-    const auto t = lattice::on_grid(in_a_room(random), grid.shape);
-    const glm::dvec3 edge = t.b - t.a;
-    const Triangle<double> turned[] = {t, {t.b, t.c, t.a}, {t.c, t.a, t.b}};  // any edge is the first of one
-    return hard::to_decide(random, grid, turned[random.between(0, 2)], t.a, edge, t.a + random.unit() * edge);
+    const OnGrid t(random, grid);
+    const auto& [a, b, c] = t.own;
+    const Triangle<double> turned[] = {t.own, {b, c, a}, {c, a, b}};  // any edge is the first of one
+    const glm::dvec3 edge = t.in_world.b - t.in_world.a, target = t.in_world.a + random.unit() * edge;
+    return t.map.put(hard::to_decide(random, grid, turned[random.between(0, 2)], t.in_world.a, edge, target));
+  });
+}
+
+/// Begins at a vertex now and then.
+[[nodiscard]] inline Scene hard_to_meet(Random& random, Precision precision) {
+  return hard::first_drawn(precision, [&](const hard::Grid& grid) {
+    const OnGrid t(random, grid);
+    const glm::dvec3 target = random.one_in(4) ? t.in_world.a : inside(random, t.in_world);
+    return t.map.put(hard::to_meet(random, grid, t.own, t.plane(grid), target));
   });
 }
 
