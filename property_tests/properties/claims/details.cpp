@@ -18,7 +18,7 @@ namespace rayproof {
 namespace {
 
 /// All of them are judged on the same cases, so that the oracle is asked once.
-constexpr unsigned details_every = 8;
+constexpr unsigned details_every = 4;
 
 /// An error of a trial's first hit beside its bound; nothing where there is none to judge, or no promise.
 struct ErrorOfHit {
