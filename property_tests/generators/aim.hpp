@@ -100,6 +100,15 @@ using Sheet = ParametricPlane;
   return looked_at_exactly(random, shape, target, whole_vector(random, 4));
 }
 
+/// From where a ray along a short whole vector passes exactly through (0, 0, 0): 2^(0.8·digits) to
+/// 2^(2.2·digits) steps before it.
+[[nodiscard]] inline glm::dvec3 horizon(Random& random, Precision precision, const glm::dvec3& direction) {
+  return -std::exp2(std::floor(random.uniform(0.8, 2.2) * draw::digits_of(precision))) * direction;
+}
+inline constexpr const char* horizon_description =
+    "the boundary lies at (0, 0, 0) but for roundings, and the ray comes there from 2^(0.8·digits) steps or "
+    "more";
+
 /// Half the time moved aside by a small step: a tolerance shows beside what the ray was aimed at.
 [[nodiscard]] inline Scene maybe_aside(Random& random, Precision precision, Scene scene) {
   if (random.one_in(2)) return scene;
@@ -115,16 +124,20 @@ using Sheet = ParametricPlane;
   return scene;
 }
 
-/// A scene whose shape is given by points, moved by 1e2 to 1e4, so that its numbers lose digits.
-[[nodiscard]] inline Scene displaced(Random& random, Scene scene) {
-  const glm::dvec3 by = std::pow(10, random.uniform(2, 4)) * draw::unit_vector(random);
-  scene.origin += by;
+/// Moves a shape that is given by points.
+inline void move(Shape& given, const glm::dvec3& by) {
   const auto move = [&by](const char* /*name*/, auto& value) {
     if constexpr (std::is_same_v<std::decay_t<decltype(value)>, glm::dvec3>) value += by;
     if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::vector<glm::dvec3>>)
       for (glm::dvec3& place : value) place += by;
   };
-  std::visit([&move]<class S>(S& shape) { ShapeFormat<S>::fields(shape, move); }, scene.shape);
+  std::visit([&move]<class S>(S& shape) { ShapeFormat<S>::fields(shape, move); }, given);
+}
+/// The scene moved by 1e2 to 1e4, so that its numbers lose digits.
+[[nodiscard]] inline Scene displaced(Random& random, Scene scene) {
+  const glm::dvec3 by = std::pow(10, random.uniform(2, 4)) * draw::unit_vector(random);
+  scene.origin += by;
+  move(scene.shape, by);
   return scene;
 }
 inline constexpr const char* displaced_description =

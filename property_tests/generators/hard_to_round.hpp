@@ -29,6 +29,8 @@ struct Grid {
 
 inline constexpr const char* to_round_description =
     "t is beside the middle of two numbers, or an end of the interval, by a part that twice the digits hide";
+inline constexpr const char* coordinate_description =
+    "a coordinate is beside the middle of two numbers by a part that twice the digits hide, or is it";
 inline constexpr const char* to_decide_description =
     "the line passes an edge by a part that twice the digits hide, or exactly through it";
 inline constexpr const char* to_meet_description =
@@ -108,8 +110,16 @@ struct WholePlane {
                   direction);
 }
 
-/// A ray that runs along the plane but for next to nothing, an eighth of the time exactly, and meets it near
-/// `target`; or it begins there.
+/// A part of `size` that is 1 to 2^-2.5digits, or nothing an eighth of the time; of either sign.
+[[nodiscard]] inline Whole some_part(Random& random, const Whole& size, const Grid& grid) {
+  if (random.one_in(8)) return 0;
+  const int bits = static_cast<int>(msb(size)) - static_cast<int>(random.uniform(0, 2.5) * grid.digits);
+  const Whole some = lattice::some_whole(random, bits);
+  return random.one_in(2) ? -some : some;
+}
+
+/// A ray that runs along the plane but for next to nothing, an eighth of the time exactly, and begins so near
+/// it that it meets it near `target`, or beside it.
 [[nodiscard]] inline std::optional<Scene> to_meet(Random& random, const Grid& grid, const Shape& shape,
                                                   const WholePlane& plane, const glm::dvec3& target) {
   const lattice::PlaneLattice points(plane.n);
@@ -119,12 +129,39 @@ struct WholePlane {
   const WholeVector direction = points.point_near(
       lattice::whole(draw::perpendicular(random, glm::normalize(normal)), grid.direction), r);
   if (lattice::dot(direction, direction) == 0) return std::nullopt;
-  const int t = random.between(0, 7);
-  const Whole off = random.one_in(2) ? Whole(0) : next_to_nothing(random, size << grid.digits, grid);
+  const int t = random.one_in(2) ? 0 : random.between(1, 7);
+  const Whole off = random.one_in(2) ? Whole(0) : some_part(random, size << grid.digits, grid);
   const Whole steps =
       (plane.height << (grid.origin - grid.shape)) - t * (r << (grid.origin - grid.direction)) + off;
   const glm::dvec3 drawn = target - double{1} * t * lattice::vector(direction, grid.direction);
   return scene_of(grid, shape, points.point_near(lattice::whole(drawn, grid.origin), steps), direction);
+}
+
+/// A ray that begins beside corner + u·a + v·b and meets it there: v is beside the middle of two numbers, u
+/// has few digits. All three are multiples of 2^-bits_of_edges, and a, b the edges of a figure.
+[[nodiscard]] inline std::optional<Scene> to_round_a_coordinate(Random& random, Precision precision,
+                                                                const Shape& shape, const glm::dvec3& corner,
+                                                                const glm::dvec3& a, const glm::dvec3& b) {
+  constexpr int bits_of_edges = 16;
+  const int digits = draw::digits_of(precision), bits = 4 * digits, e = random.between(1, 3);
+  const double u = random.between(0, 8) / 16.0;
+  Whole v = (2 * lattice::some_whole(random, digits) + 1) << (bits - digits - 1 - e);
+  if (!random.one_in(4)) {
+    const Whole off = lattice::some_whole(random, bits - static_cast<int>(random.uniform(1.5, 2.5) * digits));
+    v += random.one_in(2) ? -off : off;
+  }
+  Scene scene{{}, {}, shape};
+  for (int i = 0; i < 3; ++i) {
+    const Whole place = lattice::whole(corner[i] + u * a[i], bits) +
+                        ((v * lattice::whole(b[i], bits_of_edges)) >> bits_of_edges);
+    const double high = lattice::difference(precision, place, bits).high;
+    const double step = std::ldexp(1.0, 1 + std::ilogb(std::max(std::abs(high), 0.25)) - digits);
+    scene.origin[i] = round_to(precision, high + random.between(-2, 2) * step);
+    const Whole way = place - lattice::whole(scene.origin[i], bits);
+    scene.direction[i] = round_to(precision, lattice::number(way, bits - digits));
+  }
+  if (scene.direction == glm::dvec3(0)) return std::nullopt;
+  return scene;
 }
 
 /// A map of halves of small whole numbers, which rounds nothing on the grid of shapes; most often the
@@ -140,6 +177,13 @@ struct ShortMap {
       map.linear = {0.5 * whole_point(random, 3), 0.5 * whole_point(random, 3), 0.5 * whole_point(random, 3)};
     } while (glm::determinant(map.linear) == 0);
     map.by = whole_point(random, 4);
+    return map;
+  }
+  /// The same, and half the time stretched along the figure's axes by powers of two, for whole figures.
+  [[nodiscard]] static ShortMap uneven(Random& random) {
+    ShortMap map = some(random);
+    if (random.one_in(2)) return map;
+    for (int axis = 0; axis < 3; ++axis) map.linear[axis] *= std::exp2(random.between(-10, 4));
     return map;
   }
   [[nodiscard]] glm::dvec3 point(const glm::dvec3& p) const { return linear * p + by; }

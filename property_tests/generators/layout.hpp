@@ -202,17 +202,33 @@ template <auto layout>
 
 /// Makes it nearly as small as the contracts go (2^-28, of doubles 2^-240), half the time with as short a
 /// direction: products of two of its lengths are numbers still, and the squares of those are none.
-inline void shrink_to_the_least(Random& random, Precision precision, Scene& scene) {
-  const double size = std::exp2(random.between(2, 8) - (precision == Precision::float32 ? 28 : 240));
+inline void make_the_smallest(Random& random, Precision precision, Scene& scene) {
+  const double size = std::exp2(random.between(-1, 4) - (precision == Precision::float32 ? 28 : 240));
   scene.origin *= size;
   scene.direction *= random.one_in(2) ? size : 1;
   std::visit([size](auto& shape) { shape = grown(shape, size); }, scene.shape);
 }
 
+/// A slender layout of that size.
 template <auto layout>
-[[nodiscard]] Family in_least_size(std::vector<MinimumShare> shares) {
-  Family family{"least", "as small as the contracts go, and slender: what is made of it underflows",
-                ask<layout, shrink_to_the_least>, std::move(shares)};
+[[nodiscard]] Family of_the_smallest_size(std::vector<MinimumShare> shares) {
+  Family family{"smallest", "slender, and as small as the contracts go: the squares of normals underflow",
+                ask<layout, make_the_smallest>, std::move(shares)};
+  family.is_beyond_the_digits = true;
+  return family;
+}
+
+/// Moves what the ray is aimed at to (0, 0, 0), and the ray to where it passes exactly through that point,
+/// from so far away that more than the format's digits cancel.
+inline void see_from_the_horizon(Random& random, Precision precision, Scene& scene) {
+  move(scene.shape, -(scene.origin + scene.aimed_at * scene.direction));
+  scene.direction = whole_vector(random, 4);
+  scene.origin = horizon(random, precision, scene.direction);
+}
+
+template <auto layout>
+[[nodiscard]] Family from_the_horizon(std::vector<MinimumShare> shares) {
+  Family family{"horizon", horizon_description, ask<layout, see_from_the_horizon>, std::move(shares)};
   family.is_beyond_the_digits = true;
   return family;
 }

@@ -115,16 +115,20 @@ struct Reading {
     return result;
   }
 
-  /// Makes the nearest hit of an answer what `nearest(ray, shape)` says, where the ray is in the shape's own
-  /// space: a method that finds it apart from the roots is to be judged by it.
+  /// Puts beside the roots what `nearest(ray, shape)` says, where the ray is in the shape's own space and a
+  /// method finds the nearest hit apart from them. Both are the exact one. Where they differ one of them is
+  /// wrong, and the answer has a hit too many, so that it is wrong whichever that is.
   template <class T, class Nearest>
   static void put_nearest_hit(const Case& one, RayAnswer& answer, const Nearest& nearest) {
     const auto& question = std::get<RayQuestion>(one.question);
     if (question.transform) return;
     const auto t = static_cast<double>(nearest(convert<T>(question.ray), convert<T>(shape(question))));
-    const bool is_hit = t < infinity<double> || (answer.hits.count > 0 && answer.hits.t[0] == t);
-    answer.hits.count = is_hit ? std::max<decltype(answer.hits.count)>(answer.hits.count, 1) : 0;
-    if (is_hit) answer.hits.t[0] = t;
+    HitList& hits = answer.hits;
+    const double of_roots = hits.count > 0 ? hits.t[0] : infinity<double>;
+    if (t == of_roots) return;
+    hits.push_back(t < infinity<double> ? t : of_roots);
+    if (hits.count == 1) hits.push_back(t);
+    std::ranges::sort(hits.t.begin(), hits.t.begin() + static_cast<std::ptrdiff_t>(hits.count));
   }
 
   /// Where a method's correction has the exact t of the nearest hit of a case in float, and a bound on its

@@ -105,14 +105,31 @@ Scene tiny_normal(Random& random, Precision precision) {
 }
 
 /// u and v nearly along one line: what takes them for dependent misses the plane.
-Scene skewed(Random& random) {
+Scene skewed_to(Random& random, double least) {
   Sheet sheet = in_a_room(random);
-  const double angle = std::exp2(random.uniform(-7, -2)), length = std::exp2(random.uniform(-2, 2));
+  const double angle = std::exp2(random.uniform(least, -2)), length = std::exp2(random.uniform(-2, 2));
   const glm::dvec3 along = normalize(sheet.u), across = draw::perpendicular(random, along);
   sheet.v = (random.one_in(2) ? length : -length) * (std::cos(angle) * along + std::sin(angle) * across);
   Scene scene = looked_at(random, sheet, somewhere(random, sheet));
   scene.shape = sheet;
   return scene;
+}
+
+/// A parameter is beside the middle of two numbers.
+Scene hard_coordinates(Random& random, Precision precision) {
+  return hard::first_drawn(precision, [&](const hard::Grid& /*grid*/) {
+    const hard::ShortMap map = hard::ShortMap::uneven(random);
+    const Sheet sheet = whole(random);
+    const bool is_u = random.one_in(2);
+    const glm::dvec3 a = map.vector(is_u ? sheet.v : sheet.u), b = map.vector(is_u ? sheet.u : sheet.v);
+    return map.put(hard::to_round_a_coordinate(random, precision, sheet, map.point(sheet.point), a, b));
+  });
+}
+
+Scene skewed(Random& random) { return skewed_to(random, -7); }
+/// The angle is so small that the square of u × v underflows where u and v are the smallest.
+Scene very_skewed(Random& random, Precision precision) {
+  return skewed_to(random, -0.6 * draw::digits_of(precision));
 }
 
 /// The plane's two forms with a normal have one of the grid; what else gives them is on it, too.
@@ -140,8 +157,12 @@ Scene hard_to_round(Random& random, Precision precision) {
   });
 }
 
-/// Of a plane given by two vectors; begins in its point now and then.
+/// Of a plane given by two vectors; begins in its point now and then, or runs along one of the vectors.
 Scene hard_to_meet(Random& random, Precision precision) {
+  if (random.one_in(8)) {
+    const Sheet sheet = in_a_room(random);
+    return {sheet.point, random.one_in(2) ? sheet.u : sheet.v, sheet};
+  }
   return hard::first_drawn(precision, [&](const hard::Grid& grid) {
     const hard::ShortMap map = hard::ShortMap::some(random);
     const Sheet own = lattice::on_grid(in_a_room(random), hard::before_the_map(grid)),
@@ -218,9 +239,11 @@ std::vector<Family> plane_families() {
                                  "near the plane and far from the point that gives it, which is 0 or near it",
                                  {in_reach, {"hit", 0.4}, {"miss", 0.3}}),
       beyond_the_digits<hard_to_round>("hard_to_round", hard::to_round_description, {in_reach, {"hit", 0.3}}),
+      beyond_the_digits<hard_coordinates>("hard_coordinates", hard::coordinate_description,
+                                          {{"in reach", 0.5}, {"hit", 0.9}}),
       beyond_the_digits<hard_to_meet>("hard_to_meet", hard::to_meet_description,
                                       {in_reach, {"hit", 0.3}, {"miss", 0.05}}),
-      in_least_size<skewed>({{"in reach", 0.6}, {"hit", 0.95}}),
+      of_the_smallest_size<very_skewed>({{"in reach", 0.1}, {"hit", 0.95}}),
       cut_short<met>({in_reach, {"hit", 0.49}, {"miss", 0.35}, {"in surface", 0.03}, {"behind", 0.3}}),
       placed<met>({{"in reach", 0.97}, {"hit", 0.25}, {"miss", 0.4}}),
       transformed<everyday, in_plane>(

@@ -140,6 +140,12 @@ struct SolidLayouts {
           own(lattice::on_grid(Kind::in_a_room(random), hard::before_the_map(grid))),
           in_world{map.point(own.corner),
                    {map.vector(own.edges[0]), map.vector(own.edges[1]), map.vector(own.edges[2])}} {}
+    /// Makes the edges of a face that many times as long.
+    void widen(int across, double times) {
+      for (Frame* frame : {&own, &in_world})
+        for (const int along : {across + 1, across + 2})
+          frame->edges.at(static_cast<std::size_t>(along % 3)) *= times;
+    }
     [[nodiscard]] Shape shape() const { return Kind::shape(own); }
     [[nodiscard]] hard::WholePlane face(const hard::Grid& grid, int across, const glm::dvec3& end) const {
       return hard::plane_along(grid, at(in_world, end), edge(in_world, across + 1),
@@ -172,11 +178,16 @@ struct SolidLayouts {
     });
   }
 
-  /// Begins at a corner now and then.
+  /// Begins at a corner now and then, or runs along an edge; of some the face is as wide as a whole scene.
   static Scene hard_to_meet(Random& random, Precision precision) {
+    if (random.one_in(8)) {
+      const Frame frame = Kind::in_a_room(random);
+      return {frame.corner, edge(frame, random.between(0, 2)), Kind::shape(frame)};
+    }
     return hard::first_drawn(precision, [&](const hard::Grid& grid) {
-      const OnGrid solid(random, grid);
+      OnGrid solid(random, grid);
       const int across = random.between(0, 2);
+      if (random.one_in(3)) solid.widen(across, std::exp2(random.between(1, 2 * grid.digits)));
       glm::dvec3 target = random.one_in(4) ? glm::dvec3(0) : draw::vector([&] { return random.unit(); }),
                  end(0);
       target[across] = end[across] = random.between(0, 1);
@@ -222,6 +233,7 @@ std::vector<Family> solid_families(const std::vector<MinimumShare>& flat_shares)
                                {in_reach, {"hit", 0.95}, {"cut", 0.95}, {"from inside", 0.95}}),
       laid_out<Layout::far>("far", "the solid is 1e2 to 1e6 sizes away, half the time aimed near an edge",
                             {in_reach, {"hit", 0.74}, {"miss", 0.1}}),
+      from_the_horizon<Layout::near_edges>({{"hit", 0.2}, {"miss", 0.2}}),
       laid_out<Layout::off_origin>("off_origin", displaced_description,
                                    {in_reach, {"hit", 0.5}, {"miss", 0.2}}),
       laid_out<Layout::at_the_corner>(
@@ -236,7 +248,7 @@ std::vector<Family> solid_families(const std::vector<MinimumShare>& flat_shares)
       laid_out<Layout::slender>("slender",
                                 "edges of lengths up to 1000 times another's; near an edge or a corner",
                                 {in_reach, {"hit", 0.4}, {"miss", 0.2}}),
-      in_least_size<Layout::slender>({{"hit", 0.4}, {"miss", 0.2}}),
+      of_the_smallest_size<Layout::slender>({{"hit", 0.4}, {"miss", 0.2}}),
       cut_short<Layout::faces>({in_reach,
                                 {"hit", 0.65},
                                 {"miss", 0.18},

@@ -101,6 +101,7 @@ std::vector<Family> sphere_families() {
                            {all_in_reach, {"hit", 0.4}, {"from inside", 0.2}}),
       laid_out<interval>("interval", "t_min or t_max at a hit or a few ulps beside it",
                          {all_in_reach, {"hit", 0.4}, {"cut", 0.2}}),
+      beyond_the_digits<limb_from_the_horizon>("horizon", horizon_description, {{"hit", 0.3}, {"miss", 0.2}}),
       beyond_the_digits<hard_to_round, maybe_stretch>("hard_to_round", hard::to_round_description,
                                                       {in_reach, {"hit", 0.5}}),
       beyond_the_digits<hard_to_decide, maybe_stretch>(

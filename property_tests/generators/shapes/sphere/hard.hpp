@@ -49,6 +49,15 @@ namespace rayproof::sphere_family {
   return scene;
 }
 
+/// The ray passes (0, 0, 0), near which the sphere's limb is, from so far away that all digits cancel.
+[[nodiscard]] inline Scene limb_from_the_horizon(Random& random, Precision precision) {
+  const glm::dvec3 direction = whole_vector(random, 4),
+                   any = draw::perpendicular(random, normalize(direction));
+  const double radius = random.uniform(0.5, 2),
+               beside = draw::magnitude<double>(random, -draw::digits_of(precision), -1);
+  return {horizon(random, precision, direction), direction, Ball{radius * (1 + beside) * any, radius}};
+}
+
 /// The ray touches, or misses it by next to nothing.
 [[nodiscard]] inline Scene hard_to_decide(Random& random, Precision precision) {
   const glm::dvec3 point = some_whole_point(random), direction = cross(point, whole_vector(random, 3));

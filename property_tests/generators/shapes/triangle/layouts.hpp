@@ -101,6 +101,18 @@ namespace rayproof::triangle_family {
   return looked_at(random, triangle, in_or_beside(random, triangle));
 }
 
+/// One edge is down to 2^-12 times as long as another.
+[[nodiscard]] inline Scene slender(Random& random, Precision precision) {
+  Triangle<double> t = in_a_room(random);
+  t.b = t.a + std::exp2(-random.uniform(2, 12)) * (t.b - t.a);
+  if (random.one_in(2)) t = {t.b, t.c, t.a};
+  if (random.one_in(2)) t = {t.a, t.c, t.b};
+  const double share = random.unit();
+  const glm::dvec3 target =
+      random.one_in(2) ? on_the_rim(random, t) : at(t, share, (1 - share) * random.unit());
+  return maybe_aside(random, precision, looked_at(random, t, target));
+}
+
 [[nodiscard]] inline Scene upright(Random& random) {
   Triangle<double> triangle = whole(random);
   const glm::dvec3 edge = triangle.b - triangle.a;
@@ -183,6 +195,18 @@ struct OnGrid {
     return hard::plane_along(grid, in_world.a, in_world.b - in_world.a, in_world.c - in_world.a);
   }
 };
+
+/// β or γ is beside the middle of two numbers.
+[[nodiscard]] inline Scene hard_coordinates(Random& random, Precision precision) {
+  return hard::first_drawn(precision, [&](const hard::Grid& /*grid*/) {
+    const hard::ShortMap map = hard::ShortMap::uneven(random);
+    const Triangle<double> t = whole(random);
+    const glm::dvec3 a = map.point(t.a), ab = map.point(t.b) - a, ac = map.point(t.c) - a;
+    const bool is_beta = random.one_in(2);
+    return map.put(
+        hard::to_round_a_coordinate(random, precision, t, a, is_beta ? ac : ab, is_beta ? ab : ac));
+  });
+}
 
 [[nodiscard]] inline Scene hard_to_round(Random& random, Precision precision) {
   return hard::first_drawn(precision, [&](const hard::Grid& grid) {
