@@ -106,8 +106,7 @@ using Sheet = ParametricPlane;
   return -std::exp2(std::floor(random.uniform(0.8, 2.2) * draw::digits_of(precision))) * direction;
 }
 inline constexpr const char* horizon_description =
-    "the boundary lies at (0, 0, 0) but for roundings, and the ray comes there from 2^(0.8·digits) steps or "
-    "more";
+    "from 2^(0.6·digits) sizes away, or exactly at (0, 0, 0), near the boundary, from up to 2^(2.2·digits)";
 
 /// Half the time moved aside by a small step: a tolerance shows beside what the ray was aimed at.
 [[nodiscard]] inline Scene maybe_aside(Random& random, Precision precision, Scene scene) {

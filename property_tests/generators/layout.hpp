@@ -226,9 +226,21 @@ inline void see_from_the_horizon(Random& random, Precision precision, Scene& sce
   scene.origin = horizon(random, precision, scene.direction);
 }
 
-template <auto layout>
+/// Puts the ray 2^(0.6·digits) to 2^(0.98·digits) before what it is aimed at.
+inline void see_from_far_off(Random& random, Precision precision, Scene& scene) {
+  const glm::dvec3 target = scene.origin + scene.aimed_at * scene.direction;
+  const double distance = std::exp2(random.uniform(0.6, 0.98) * draw::digits_of(precision));
+  scene.origin = target - distance * scene.direction;
+}
+
+/// Half the time a layout that is aimed at the boundary, else one that is aimed at the inside.
+template <auto at_the_boundary, auto inside>
 [[nodiscard]] Family from_the_horizon(std::vector<MinimumShare> shares) {
-  Family family{"horizon", horizon_description, ask<layout, see_from_the_horizon>, std::move(shares)};
+  const auto ask_either = [](Random& random, Precision precision) {
+    return random.one_in(2) ? ask<at_the_boundary, see_from_the_horizon>(random, precision)
+                            : ask<inside, see_from_far_off>(random, precision);
+  };
+  Family family{"horizon", horizon_description, ask_either, std::move(shares)};
   family.is_beyond_the_digits = true;
   return family;
 }

@@ -159,7 +159,7 @@ Scene hard_to_round(Random& random, Precision precision) {
 
 /// Of a plane given by two vectors; begins in its point now and then, or runs along one of the vectors.
 Scene hard_to_meet(Random& random, Precision precision) {
-  if (random.one_in(8)) {
+  if (random.one_in(4)) {
     const Sheet sheet = in_a_room(random);
     return {sheet.point, random.one_in(2) ? sheet.u : sheet.v, sheet};
   }

@@ -35,7 +35,7 @@ std::vector<Family> polygon_families() {
                          {in_reach, {"miss", 0.95}, {"in surface", 0.62}, {"parallel", 0.21}}),
       laid_out<near_coplanar>("near_coplanar", "the ray comes in at 2^-4 to an ulp off the polygon's plane",
                               {in_reach, {"hit", 0.3}, {"miss", 0.3}}),
-      from_the_horizon<in_space<layout::near_boundary>>({{"hit", 0.2}, {"miss", 0.2}}),
+      from_the_horizon<in_space<layout::near_boundary>, met>({{"hit", 0.2}, {"miss", 0.2}}),
       laid_out<far>("far", "the ray comes from 1e2 to 1e6 away, half the time near the boundary",
                     {in_reach, {"hit", 0.42}, {"miss", 0.42}}),
       laid_out<off_origin>("off_origin", displaced_description, {in_reach, {"hit", 0.3}, {"miss", 0.4}}),

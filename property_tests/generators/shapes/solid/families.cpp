@@ -233,7 +233,7 @@ std::vector<Family> solid_families(const std::vector<MinimumShare>& flat_shares)
                                {in_reach, {"hit", 0.95}, {"cut", 0.95}, {"from inside", 0.95}}),
       laid_out<Layout::far>("far", "the solid is 1e2 to 1e6 sizes away, half the time aimed near an edge",
                             {in_reach, {"hit", 0.74}, {"miss", 0.1}}),
-      from_the_horizon<Layout::near_edges>({{"hit", 0.2}, {"miss", 0.2}}),
+      from_the_horizon<Layout::near_edges, Layout::faces>({{"hit", 0.2}, {"miss", 0.1}}),
       laid_out<Layout::off_origin>("off_origin", displaced_description,
                                    {in_reach, {"hit", 0.5}, {"miss", 0.2}}),
       laid_out<Layout::at_the_corner>(

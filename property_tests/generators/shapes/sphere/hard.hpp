@@ -54,7 +54,8 @@ namespace rayproof::sphere_family {
   const glm::dvec3 direction = whole_vector(random, 4),
                    any = draw::perpendicular(random, normalize(direction));
   const double radius = random.uniform(0.5, 2),
-               beside = draw::magnitude<double>(random, -draw::digits_of(precision), -1);
+               beside =
+                   draw::magnitude<double>(random, random.one_in(2) ? -5 : -draw::digits_of(precision), -1);
   return {horizon(random, precision, direction), direction, Ball{radius * (1 + beside) * any, radius}};
 }
 

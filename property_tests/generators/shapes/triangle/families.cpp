@@ -28,7 +28,7 @@ std::vector<Family> triangle_families() {
                         {in_reach, {"hit", 0.44}, {"miss", 0.4}}),
       laid_out<slender>("slender", "one edge is 2^-2 to 2^-12 times as long as another",
                         {in_reach, {"hit", 0.4}, {"miss", 0.2}}),
-      from_the_horizon<near_edges>({{"hit", 0.2}, {"miss", 0.2}}),
+      from_the_horizon<near_edges, met>({{"hit", 0.2}, {"miss", 0.2}}),
       laid_out<far>("far", "the triangle is 1e2 to 1e6 sizes away, half the time aimed near an edge",
                     {in_reach, {"hit", 0.38}, {"miss", 0.45}}),
       laid_out<coplanar>("coplanar",
