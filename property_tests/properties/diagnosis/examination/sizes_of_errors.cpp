@@ -19,6 +19,18 @@ double error_of_normal(const Answer& got, const Answer& exact) {
   return are_both ? glm::length(*ours->normal - *right->normal) : 0;
 }
 
+/// Whether of two roots the larger is right, and the smaller is wrong by a rounding of the larger one: that
+/// is what -b ± √D does to it, which may lose all of its digits.
+bool loses_the_smaller_root(const Answer& got, const Answer& exact, double unit) {
+  if (!std::holds_alternative<QuadraticAnswer<double>>(exact)) return false;
+  const std::vector<double> mine = numbers_in(got), right = numbers_in(exact);
+  if (mine.size() != 2 || right.size() != 2) return false;
+  const double larger = std::max(std::abs(right[0]), std::abs(right[1]));
+  constexpr double few = 16;  // roundings
+  return std::ranges::equal(mine, right,
+                            [&](double x, double y) { return std::abs(x - y) <= few * unit * larger; });
+}
+
 }  // namespace
 
 bool Examination::is_beyond_rounding(std::size_t i) const {
@@ -27,6 +39,7 @@ bool Examination::is_beyond_rounding(std::size_t i) const {
   if (!known.got) return false;
   const auto& [one, exact] = known.asked;
   const double unit = roundoff_of(one.precision);
+  if (loses_the_smaller_root(*known.got, exact, unit)) return false;
   const oracle::Judgement judgement = oracle::judge(one, *known.got);
   const double lost = generous * judgement.far * judgement.far;
   const double error = judgement.wrong ? judgement.margin : judgement.residual;

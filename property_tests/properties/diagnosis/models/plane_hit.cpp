@@ -1,5 +1,6 @@
 #include "properties/diagnosis/models/plane_hit.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rayproof::diagnosis {
@@ -70,12 +71,24 @@ std::optional<PlaneHit> plane_hit(const Case& one) {
   return figure ? plane_hit(one, *figure) : std::nullopt;
 }
 
+namespace {
+
+/// How far the vertices lie apart along an axis.
+double extent(const FlatFigure& figure, int axis) {
+  const auto [least, most] = std::ranges::minmax_element(
+      figure.vertices, [axis](const glm::dvec3& a, const glm::dvec3& b) { return a[axis] < b[axis]; });
+  return (*most)[axis] - (*least)[axis];
+}
+
+}  // namespace
+
 Answers projected_wrongly(const Case& one, WrongAxis wrong, bool is_hit) {
   const auto figure = flat_figure(one);
   const auto hit = plane_hit(one);
   if (!figure || !hit) return {};
   const glm::dvec3& n = figure->normal;
   const auto is_preferred = [&](int a, int b) {
+    if (wrong == WrongAxis::least_extent) return extent(*figure, a) < extent(*figure, b);
     return wrong == WrongAxis::smallest ? std::abs(n[a]) < std::abs(n[b]) : n[a] > n[b];
   };
   int axis = static_cast<int>(wrong);

@@ -44,8 +44,9 @@ struct PlaneHit {
 [[nodiscard]] std::optional<PlaneHit> plane_hit(const Case& one, const FlatFigure& figure);
 
 /// A figure is projected along one axis always, or where its normal is smallest, or where it is largest with
-/// its sign. Where it is 0 there nothing but a line is seen: what its plane is hit at counts, or is missed.
-enum class WrongAxis { x, y, z, smallest, largest_signed };
+/// its sign, or along that in which the vertices extend least. Where it is 0 there nothing but a line is
+/// seen: what its plane is hit at counts, or is missed.
+enum class WrongAxis { x, y, z, smallest, largest_signed, least_extent };
 [[nodiscard]] Answers projected_wrongly(const Case& one, WrongAxis wrong, bool is_hit);
 template <WrongAxis wrong, bool is_hit>
 [[nodiscard]] Answers projected_wrongly(const Case& one, const Answer& /*exact*/) {

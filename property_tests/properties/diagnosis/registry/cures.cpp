@@ -64,8 +64,8 @@ std::vector<Hypothesis> cures_of_values() {
           "positive-direction", positive_direction,
           "right as soon as no component of the direction is negative: near and far slab are not exchanged"),
       exact_cure("other-first-vertex", other_first_vertex,
-                 "right as soon as the list of vertices begins with another one: a side or a vertex is left "
-                 "out, or treated otherwise than the others"),
+                 "right as soon as another vertex is the first: something is taken from the first vertices "
+                 "alone, as a plane, a turn or a box is, or a side or a vertex is left out"),
       exact_cure("reversed-winding", reversed_winding,
                  "right as soon as the winding is reversed: only one orientation is handled"),
       exact_cure(
@@ -103,7 +103,9 @@ std::vector<Hypothesis> cures_of_values() {
       of(OfSizes::small, cure("steeper", steeper,
                               "right as soon as the ray meets the plane at a steep angle: a grazing one is "
                               "taken for parallel")),
-      cure("small-b", small_b, "right as soon as b² is not much larger than 4ac: -b ± √D cancels", rounding),
+      following("divides-by-what-cancels",
+                cure("small-b", small_b, "right as soon as b² is not much larger than 4ac: -b ± √D cancels",
+                     rounding)),
       cure("start-near", start_near,
            "right as soon as the ray starts near the shape: from afar its equation cancels", rounding,
            Keeps::verdict),

@@ -91,6 +91,10 @@ std::vector<Hypothesis> models_of_cylinders() {
             "the side runs from -height/2 to height/2, and must from 0 to height"),
       gives("side-by-height-in-world", side_by_height_in_world,
             "the height of a hit on the side is measured in the world, and must be in object space"),
+      gives_one_of(
+          "side-by-mixed-height", side_by_mixed_height,
+          "the height of a hit on the side is computed by the direction in the world and the origin in "
+          "object space, or the other way round: both must be in object space"),
       gives("side-without-ends", side_without_ends,
             "the side goes on beyond the caps: the height is not tested there, neither below nor above"),
       gives_one_of(
@@ -119,6 +123,8 @@ std::vector<Hypothesis> models_of_cylinders() {
             "a cylinder of height 0 is missed: it is valid, and an ellipse where it is capped"),
       gives("caps-where-side-missed", caps_where_side_missed,
             "the caps are hit only where the side is not hit at all: a ray may pass through both"),
+      gives("side-where-caps-missed", side_where_caps_missed,
+            "the side is hit only where no cap is: a ray may pass through both"),
       misses_zero("low-rim-missed", without_low_rim, "hits on the rim at z = 0 are left out: z > 0 is asked"),
       misses_zero("high-rim-missed", without_high_rim,
                   "hits on the rim at z = height are left out: z < height is asked"),

@@ -7,6 +7,7 @@
 
 #include "properties/claims/answers.hpp"
 #include "properties/diagnosis/models/flat/flat.hpp"
+#include "properties/diagnosis/models/flat/one_sided.hpp"
 #include "properties/diagnosis/models/flat/plane_end.hpp"
 #include "properties/diagnosis/models/flat/small_bounds.hpp"
 #include "properties/diagnosis/models/flat/tolerances.hpp"
@@ -68,6 +69,11 @@ void add_small_slopes(std::vector<Hypothesis>& all) {
 constexpr std::string_view signed_in_words =
     "the coordinate is left out in which the normal is largest with its sign: magnitudes must be compared";
 
+constexpr std::string_view least_extent_in_words =
+    "the coordinate is left out in which the vertices extend least, where the normal may be 0, too: it must "
+    "be "
+    "the one in which the normal is largest";
+
 /// An edge that is left out on one side of the triangle: two branches for two signs of the determinant.
 template <int vertex, bool is_from_behind>
 Hypothesis edge_open_from() {
@@ -113,11 +119,25 @@ std::vector<Hypothesis> models_of_projections() {
       gives("projected-along-smallest", projected_wrongly<WrongAxis::smallest, true>,
             "the coordinate is left out in which the normal is smallest, and must be the one in which it is "
             "largest"),
+      gives("projected-along-least-extent", projected_wrongly<WrongAxis::least_extent, true>,
+            least_extent_in_words),
+      gives("projected-along-least-extent-missed", projected_wrongly<WrongAxis::least_extent, false>,
+            least_extent_in_words),
   };
 }
 
 std::vector<Hypothesis> models_of_flat_figures() {
   std::vector<Hypothesis> all{
+      shown_by(
+          has_small_slope<-1>,
+          gives_one_of("slope-without-abs-behind", slope_without_abs<-1>,
+                       "a surface is missed where -n·d, the determinant of a triangle's formula, is below a "
+                       "small number, and so from behind, too: its magnitude must be compared")),
+      shown_by(
+          has_small_slope<1>,
+          gives_one_of("slope-without-abs-in-front", slope_without_abs<1>,
+                       "a surface is missed where n·d, or a determinant, is below a small number, and so "
+                       "from in front, too: its magnitude must be compared")),
       gives("culls-back-faces", culls_back, "a surface seen from behind is missed: back faces are culled"),
       gives("culls-front-faces", culls_front,
             "a surface seen from the front is missed: front faces are culled"),

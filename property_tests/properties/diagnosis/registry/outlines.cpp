@@ -99,6 +99,16 @@ std::vector<Hypothesis> models_of_outlines() {
       gives("level-vertex", inside_by<InsideRule::closed_sides>, level_vertex_in_words),
       gives("level-vertex-in-order", inside_by<InsideRule::closed_sides, Sweep::along_in_order>,
             level_vertex_in_words),
+      gives("level-vertex-by-order", inside_by<InsideRule::closed_at_first>,
+            "a vertex level with the point counts for the side that begins there, or that ends there, "
+            "whichever way "
+            "it leads: it must count for the side above it, or for that below it"),
+      gives("level-sides-count", inside_by<InsideRule::level_sides>,
+            "a side level with the point counts as crossed, too: it must count for nothing"),
+      gives("level-vertex-upward", inside_by<InsideRule::closed_sides, Sweep::upward>,
+            "a vertex straight above or below the point counts for both its sides, or for neither: it must "
+            "count "
+            "for one"),
       gives("level-outside", inside_by<InsideRule::not_level>,
             "a point level with a vertex is taken for outside"),
       gives_to_all("hit-exchanged", exchanged_in_projection,
@@ -156,10 +166,10 @@ std::vector<Hypothesis> models_of_outlines() {
           "bounds-of-three", inside_by<InsideRule::bounds_of_three>,
           "what lies outside the bounding box of the first three vertices is said to be outside: that box is "
           "too small"),
-      gives_one_of(
-          "bounds-but-one", outside_small_box,
-          "what lies outside the bounding box of all vertices but the first, or the last, is said to "
-          "be outside: that box is too small"),
+      gives_one_of("bounds-but-one", outside_small_box,
+                   "what lies outside the bounding box of all vertices but the first, or the last, or of two "
+                   "of them, is "
+                   "said to be outside: that box is too small"),
       of_first_vertices<4>("four"),
       of_first_vertices<5>("five"),
       of_first_vertices<6>("six"),
@@ -175,6 +185,10 @@ std::vector<Hypothesis> models_of_outlines() {
             "a vertex that has been there before is left out, and a side goes past it"),
       gives("inequality-unturned", inside_by<InsideRule::unturned>,
             "an inequality is multiplied by a side's height, which may be negative, and not turned round"),
+      gives(
+          "sides-cut-off", inside_by<InsideRule::cut_off_turns>,
+          "the product that says on which side of a side the point lies is cut off to a whole number: beside "
+          "a side it is 0"),
       gives_to_all("compares-first-vertex", inside_by<InsideRule::first_end>,
                    "x is compared with a vertex of the side, and must be with the crossing"),
       gives_to_all("compares-second-vertex", inside_by<InsideRule::second_end>,
@@ -192,7 +206,7 @@ std::vector<Hypothesis> models_of_outlines() {
       gives("never-inside", never_inside,
             "no point is ever said to be inside: where x is not compared, the sides crossed on both sides of "
             "it "
-            "are even"),
+            "are even; and angles that are not brought between -π and π add up to 0"),
       gives("taken-as-convex", inside_by<InsideRule::one_side>,
             "inside is where all sides turn one way: the polygon is taken for convex"),
       gives("fan-of-triangles", fan_of_triangles,

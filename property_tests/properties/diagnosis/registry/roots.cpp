@@ -100,6 +100,8 @@ std::vector<Hypothesis> models_of_roots() {
           "of the two roots q / a and c / q one is halved: a factor 2 too few, or too many in a denominator"),
       gives("sign-of-zero", sign_of_zero,
             "where b = 0 its sign is taken for 0, and with it q = -(b + sign(b)·√D) / 2: it must be 1 or -1"),
+      gives("pure-square-negated", pure_square_negated,
+            "where b = 0 the roots are ±√(c/a), and must be ±√(-c/a): a sign is missing"),
       gives("root-upside-down", by_formula<second_upside_down, first_upside_down>,
             "of the two roots q / a and c / q one is upside down: a / q, or q / c"),
       gives("one-root-undivided", by_formula<second_undivided, first_undivided>,

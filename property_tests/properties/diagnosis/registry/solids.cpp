@@ -3,11 +3,14 @@
 
 #include "properties/diagnosis/cures/cures.hpp"
 #include "properties/diagnosis/models/curved/coefficients.hpp"
+#include "properties/diagnosis/models/curved/wrong_chord.hpp"
+#include "properties/diagnosis/models/flat/one_sided.hpp"
 #include "properties/diagnosis/models/solids/box.hpp"
 #include "properties/diagnosis/models/solids/faces.hpp"
 #include "properties/diagnosis/models/solids/parallelepiped.hpp"
 #include "properties/diagnosis/models/solids/slab_arithmetic.hpp"
 #include "properties/diagnosis/models/solids/slabs.hpp"
+#include "properties/diagnosis/models/solids/small_sphere.hpp"
 #include "properties/diagnosis/models/solids/solid.hpp"
 #include "properties/diagnosis/models/solids/wrong_slabs.hpp"
 #include "properties/diagnosis/models/space/details_of_shapes.hpp"
@@ -22,6 +25,15 @@ Hypothesis a_as_one_by_length_alone() {
       gives_one_of("a-as-one-by-length", a_as_one_by_length,
                    "the direction is taken for a unit vector where it is shorter than 1, or longer");
   made.least_share = 90;
+  return made;
+}
+
+/// A few that are hit, as those in the middle of what is compared with the wrong sign, refute it.
+Hypothesis every_ray_along_slab_missed() {
+  Hypothesis made =
+      gives("missed-along-slab", missed_along_slab,
+            "every ray along a face is missed: a component of the direction that is 0 is taken for a miss");
+  made.admits = 3;
   return made;
 }
 
@@ -58,6 +70,24 @@ std::vector<Hypothesis> models_of_solids() {
           "unit sphere's space"),
       gives("half-chord-by-difference", half_chord_by_difference,
             "half of the chord is r - d, d the distance of the centre from the line, and must be √(r² - d²)"),
+      gives_one_of(
+          "half-chord-as-radius", half_chord_as_radius,
+          "half of the chord is taken for the radius, or for 1, however far the line passes from the "
+          "centre, and must be √(r² - d²): every line is said to hit"),
+      shown_by(
+          starts_outside_of_sphere,
+          gives_one_of("near-hits-of-sphere-missed", near_hits_of_sphere_missed,
+                       "hits nearer to the ray's origin than the radius, or twice that, are left out, or a "
+                       "sphere whose surface is nearer than the direction's length: against hits of the "
+                       "surface just left, and too far")),
+      gives_one_of(
+          "square-beside-radius", square_beside_radius,
+          "missed where the square of the line's distance from the middle is larger than the radius, "
+          "of the sphere or of one round the solid: it must be compared with the radius squared"),
+      gives_one_of(
+          "solid-beyond-small-sphere", solid_beyond_small_sphere,
+          "what the sphere round it does not hold is missed: that is too small, its radius half of an "
+          "edge, and must be half of the diagonal"),
       gives(
           "centre-behind-missed", centre_behind_missed,
           "a sphere whose centre lies behind the ray's beginning is missed, although the ray starts inside"),
@@ -87,14 +117,12 @@ std::vector<Hypothesis> models_of_solids() {
             "not given"),
       gives("slabs-without-signs", slabs_without_signs,
             "the t of the slabs are taken without their signs: |t| is compared"),
+      gives("slabs-upside-down", slabs_upside_down,
+            "the t of the slabs are upside down: d stands over the way to the plane, and must be under it"),
       gives("slabs-turned-by-origin", slabs_turned_by_origin,
             "near and far of a slab are exchanged by the sign of the origin's coordinate, and must be by "
             "that of "
             "the direction's"),
-      // That such rays are missed alone is another fault.
-      shown_by(is_hit_along_mirrored,
-               gives("slab-along-mirrored", slab_along_mirrored,
-                     "of a slab that the ray runs along the origin is compared with the wrong sign")),
       gives("first-slab-alone", first_slab_alone,
             "only the first slab that the ray crosses is looked at: the loop ends there"),
       gives_one_of("missed-from-beyond", missed_from_beyond,
@@ -106,12 +134,9 @@ std::vector<Hypothesis> models_of_solids() {
             "the answer is right for a box without end along y: that slab is not tested"),
       gives("endless-box-z", without_slab<2>,
             "the answer is right for a box without end along z: that slab is not tested"),
-      gives("endless-edge-0", read_as<endless_parallelepiped<0>>,
-            "the faces at the ends of edge 0 are not tested"),
-      gives("endless-edge-1", read_as<endless_parallelepiped<1>>,
-            "the faces at the ends of edge 1 are not tested"),
-      gives("endless-edge-2", read_as<endless_parallelepiped<2>>,
-            "the faces at the ends of edge 2 are not tested"),
+      gives("endless-edge-0", without_faces_of_edge<0>, "the faces at the ends of edge 0 are not tested"),
+      gives("endless-edge-1", without_faces_of_edge<1>, "the faces at the ends of edge 1 are not tested"),
+      gives("endless-edge-2", without_faces_of_edge<2>, "the faces at the ends of edge 2 are not tested"),
       gives("half-endless-edge-0", read_as<half_endless_parallelepiped<0>>,
             "the face at the end of edge 0 is not tested: the edge is taken for an endless half line"),
       gives("half-endless-edge-1", read_as<half_endless_parallelepiped<1>>,
@@ -132,8 +157,9 @@ std::vector<Hypothesis> models_of_solids() {
           "and must be <=, or 0·∞ is no number there"),
       gives("missed-in-face", missed_in_face<true, true>,
             "a ray in the plane of a face is missed: 0·∞ is no number, or an inequality is strict there"),
-      gives("missed-along-slab", missed_along_slab,
-            "every ray along a face is missed: a component of the direction that is 0 is taken for a miss"),
+      every_ray_along_slab_missed(),
+      gives("slab-along-mirrored", slab_along_mirrored,
+            "of a slab that the ray runs along the origin is compared with the wrong sign"),
       gives_one_of("nan-in-slab", nan_in_slab,
                    "0·∞ is NaN in the slab of a face that the ray runs in, of which no comparison is true: "
                    "the slab is not looked at, or what was found of the others is lost"),
@@ -161,6 +187,11 @@ std::vector<Hypothesis> models_of_solids() {
       gives(
           "zero-pivot-missed", zero_pivot_missed,
           "missed where the first edge has x = 0, or the next pivot is 0: an elimination must exchange rows"),
+      shown_by(
+          has_small_volume,
+          gives_one_of("volume-without-abs", volume_without_abs,
+                       "missed where the volume of the edges, a determinant, is below a small number, and so "
+                       "where they are left-handed, too: its magnitude must be compared")),
       gives("left-handed-missed", left_handed_missed,
             "a solid whose edges are left-handed, their determinant negative, is missed"),
       gives("missed-beside-two-corners", missed_beside_two_corners,

@@ -14,11 +14,14 @@ struct Foreseen {
 inline void PrintTo(const Foreseen& one, std::ostream* out) { *out << one.topic << ": " << one.model; }
 
 inline constexpr Foreseen foreseen_faults[] = {
+    {"sphere", "half-chord-as-radius"},
+    {"sphere", "near-hits-of-sphere-missed"},
     {"sphere", "zero-coefficient-missed"},
     {"sphere", "a-as-one-by-length"},
     {"sphere", "t-from-scaled-origin"},
     {"quadratic", "half-b-made-whole"},
     {"quadratic", "root-beside-zero"},
+    {"quadratic", "pure-square-negated"},
     {"quadratic", "small-c-beside-b-1e-3"},
     {"cylinder", "missed-without-component"},
     {"sphere", "zero-as-no-end"},
@@ -92,6 +95,8 @@ inline constexpr Foreseen foreseen_faults[] = {
     {"cylinder", "caps-at-opposite-t"},
     {"cylinder", "side-with-z"},
     {"cylinder", "side-by-height-in-world"},
+    {"cylinder", "side-by-mixed-height"},
+    {"cylinder", "side-where-caps-missed"},
     {"cylinder", "missed-along-axis"},
     {"cylinder", "missed-along-side"},
     {"cylinder", "no-height-missed"},

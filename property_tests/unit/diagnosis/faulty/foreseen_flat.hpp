@@ -7,6 +7,14 @@
 namespace rayproof::faulty {
 
 inline constexpr Foreseen foreseen_faults_of_flat[] = {
+    {"polygon", "projected-along-least-extent"},
+    {"triangle", "projected-along-least-extent-missed"},
+    {"point_in_polygon", "sides-cut-off"},
+    {"point_in_polygon", "level-vertex-by-order"},
+    {"point_in_polygon", "level-sides-count"},
+    {"point_in_polygon", "level-vertex-upward"},
+    {"triangle", "slope-without-abs-behind"},
+    {"plane", "slope-without-abs-in-front"},
     {"plane", "plane-ends"},
     {"plane", "vectors-x-y"},
     {"triangle", "origin-x-z"},

@@ -7,6 +7,11 @@
 namespace rayproof::faulty {
 
 inline constexpr Foreseen foreseen_faults_of_solids[] = {
+    {"box", "square-beside-radius"},
+    {"parallelepiped", "solid-beyond-small-sphere"},
+    {"parallelepiped", "volume-without-abs"},
+    {"box", "slab-along-mirrored"},
+    {"box", "slabs-upside-down"},
     {"box", "first-slab-alone"},
     {"box", "infinity-as-zero"},
     {"box", "inverse-undivided"},

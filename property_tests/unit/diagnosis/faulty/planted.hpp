@@ -118,7 +118,7 @@ inline const Planted planted[] = {
     {"quadratic", answer<double_twice>, "boundary", "double-hit-twice"},
     {"quadratic", answer<double_missed>, "boundary", "double-root-missed"},
     {"quadratic", answer<descending>, "ascending", "descending"},
-    {"quadratic", answer<wrong_order>, "ascending", "positive-a"},
+    {"quadratic", answer<wrong_order>, "ascending", "minus-root-first"},
     {"quadratic", answer<cancelling>, "residual", "small-b", Precision::float32},
     {"quadratic", answer<cancelling>, "residual", "small-b"},
 };

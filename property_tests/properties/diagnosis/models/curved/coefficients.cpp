@@ -64,9 +64,21 @@ Answers root_beside_zero(const Case& one, const Answer& /*exact*/) {
   return answers;
 }
 
+namespace {
+
+/// Whether -b ± √D loses the smaller root, and with it what c is.
+bool is_c_lost_by_cancelling(Precision precision, const Equation& e) {
+  const double digits = precision == Precision::float32 ? 0x1p-22 : 0x1p-51;
+  return 4 * std::abs(e.a * e.c) < digits * e.b * e.b;
+}
+
+}  // namespace
+
 std::vector<Case> with_small_as_zero(const Case& one, double Equation::*small, double least) {
   Case changed = one;
   auto* equation = std::get_if<Equation>(&changed.question);
+  if (equation != nullptr && small == &Equation::c && is_c_lost_by_cancelling(one.precision, *equation))
+    return {};
   if (equation == nullptr || equation->*small == 0 || !(std::abs(equation->*small) < least)) return {};
   equation->*small = 0;
   return if_finite(std::move(changed));

@@ -80,10 +80,27 @@ FoundRoots second_undivided(const ReducedEquation& e) {
   return roots;
 }
 
-Answers sign_of_zero(const Case& one, const Answer& /*exact*/) {
+Answers pure_square_negated(const Case& one, const Answer& /*exact*/) {
+  const auto* q = std::get_if<Quadratic<double>>(&one.question);
+  if (q == nullptr || q->a == 0 || q->b != 0 || q->c == 0) return {};
+  if (q->c / q->a < 0) return {QuadraticAnswer<double>{RootKind::none, 0, {}}};
+  const double root = std::sqrt(q->c / q->a);
+  return {QuadraticAnswer<double>{RootKind::two, 2, {-root, root}}};
+}
+
+Answers sign_of_zero(const Case& one, const Answer& exact) {
   const std::optional<ReducedEquation> equation = reduced_equation(one);
-  if (!equation || equation->h != 0 || !(equation->discriminant() > 0)) return {};
+  if (!equation || equation->h != 0) return {};
   Answers all;
+  const bool is_of_ray = ray_question(one) != nullptr;
+  if (is_of_ray && !(equation->discriminant() > 0)) return {};
+  for (const RootKind kind :
+       {RootKind::linear, RootKind::twice, RootKind::two})  // 0 alone, whatever it is called
+    if (!is_of_ray) all.emplace_back(QuadraticAnswer<double>{kind, 1, {0}});
+  if (!(equation->discriminant() > 0)) {
+    all.push_back(exact);  // D may be asked before
+    return all;
+  }
   for (const double other : {0.0, infinity<double>, -infinity<double>})
     all.push_back(with_roots_in_order(one, std::array{0.0, other}));
   return all;

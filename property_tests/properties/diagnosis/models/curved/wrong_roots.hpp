@@ -33,6 +33,9 @@ namespace rayproof::diagnosis {
 /// taken for.
 [[nodiscard]] Answers sign_of_zero(const Case& one, const Answer& exact);
 
+/// Where b = 0 the roots are ±√(c/a), and must be ±√(-c/a).
+[[nodiscard]] Answers pure_square_negated(const Case& one, const Answer& exact);
+
 /// Whether the product of two roots is c/a and their sum is not -b/a, and not by a loss of digits: so it is
 /// where in x = q / a and y = c / q the number q is wrong.
 [[nodiscard]] std::optional<bool> number_q_wrong(const Case& one, const Answer& got, const Answer& exact);

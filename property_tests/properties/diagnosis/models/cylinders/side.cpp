@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "properties/claims/answers.hpp"
@@ -105,6 +106,26 @@ Answers side_by_height_in_world(const Case& one, const Answer& /*exact*/) {
   return with_side_hits(one, std::move(roots), {infinity<double>, infinity<double>});
 }
 
+Answers side_by_mixed_height(const Case& one, const Answer& /*exact*/) {
+  const auto* cylinder = shape_in<Cylinder<double>>(one);
+  if (cylinder == nullptr || !ray_question(one)->transform) return {};
+  const Ray<double>& in_world = ray_question(one)->ray;
+  const Ray<double> in_object = ray_in_object(*ray_question(one));
+  Answers answers;
+  for (const bool is_by_direction : {true, false}) {
+    const glm::dvec3& origin = is_by_direction ? in_object.origin : in_world.origin;
+    const glm::dvec3& direction = is_by_direction ? in_world.direction : in_object.direction;
+    std::vector<double> roots = roots_of_side(one);
+    std::erase_if(roots, [&](double t) {
+      const double z = origin.z + t * direction.z;
+      return !(0 <= z && z <= cylinder->height);
+    });
+    std::ranges::move(with_side_hits(one, std::move(roots), {infinity<double>, infinity<double>}),
+                      std::back_inserter(answers));
+  }
+  return answers;
+}
+
 Answers side_goes_on(const Case& one, bool is_upwards) {
   return with_side_ends(one, is_upwards ? SideEnds{0, infinity<double>} : SideEnds{infinity<double>, 0});
 }
@@ -119,6 +140,13 @@ Answers caps_where_side_missed(const Case& one, const Answer& exact) {
   const RayAnswer on_line = hits_of_line(open.front());
   if (on_line.hits.count == 0) return {};
   return {hits_where(on_line, [&](double t) { return in_interval(ray_question(one)->ray, t); })};
+}
+
+Answers side_where_caps_missed(const Case& one, const Answer& /*exact*/) {
+  const auto* cylinder = shape_in<Cylinder<double>>(one);
+  if (cylinder == nullptr || !cylinder->capped) return {};
+  std::vector<double> caps = hits_of_caps(one, *cylinder, is_in_ellipse);
+  return caps.empty() ? Answers{} : Answers{in_order(one, std::move(caps))};
 }
 
 Answers side_mirrored(const Case& one, const Answer& /*exact*/) {

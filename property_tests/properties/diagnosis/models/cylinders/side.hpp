@@ -22,6 +22,8 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers side_about_zero(const Case& one, const Answer& exact);
 [[nodiscard]] Answers side_without_ends(const Case& one, const Answer& exact);
 [[nodiscard]] Answers caps_where_side_missed(const Case& one, const Answer& exact);
+/// The side is looked for where no cap is hit.
+[[nodiscard]] Answers side_where_caps_missed(const Case& one, const Answer& exact);
 /// @}
 
 /// The side goes on without end upwards, or downwards, and the caps are where they should be.
@@ -41,5 +43,8 @@ namespace rayproof::diagnosis {
 
 /// The height of a hit on the side is that of the point in the world, and must be the one in object space.
 [[nodiscard]] Answers side_by_height_in_world(const Case& one, const Answer& exact);
+/// It is computed from the origin in object space and the direction in the world, or the other way round. An
+/// answer for each.
+[[nodiscard]] Answers side_by_mixed_height(const Case& one, const Answer& exact);
 
 }  // namespace rayproof::diagnosis

@@ -19,8 +19,10 @@ template <int power>
   return misses_grazing(one, exact, std::pow(10.0, power));
 }
 
-/// A miss of a plane, or a figure in one, where |n·d| is below a limit: n as it is given, b - a times c - a,
-/// or Newell's sum.
+/// n·d of a plane, or a figure in one: n as it is given, b - a times c - a, or Newell's sum.
+[[nodiscard]] std::optional<double> slope_of_surface(const Case& one);
+
+/// A miss where its magnitude is below a limit.
 [[nodiscard]] Answers misses_small_slope(const Case& one, const Answer& exact, double least);
 template <int power>
 [[nodiscard]] Answers small_slope_missed(const Case& one, const Answer& exact) {

@@ -64,6 +64,11 @@ Answers plus_root_first(const Case& one, const Answer& exact) {
   return equation != nullptr && equation->a > 0 ? descending(one, exact) : Answers{};
 }
 
+Answers minus_root_first(const Case& one, const Answer& exact) {
+  const auto* equation = std::get_if<Quadratic<double>>(&one.question);
+  return equation != nullptr && equation->a < 0 ? descending(one, exact) : Answers{};
+}
+
 Answers farthest_alone(const Case& /*one*/, const Answer& exact) {
   const RayAnswer* answer = hit_of(exact);
   if (answer == nullptr || answer->hits.count < 2) return {};

@@ -31,6 +31,8 @@ template <class Question>
 [[nodiscard]] Answers descending(const Case& one, const Answer& exact);
 /// Those of (-b + √D)/2a and (-b - √D)/2a in this order: descending where a > 0.
 [[nodiscard]] Answers plus_root_first(const Case& one, const Answer& exact);
+/// The root of -√D before that of +√D: where a < 0 that is the descending order.
+[[nodiscard]] Answers minus_root_first(const Case& one, const Answer& exact);
 /// The farthest hit alone in place of the nearest.
 [[nodiscard]] Answers farthest_alone(const Case& one, const Answer& exact);
 /// Of the hits in the interval the one of the smallest |t| alone, in place of the nearest.

@@ -50,6 +50,15 @@ bool is_of_root(const Case& one, double t, bool is_first) {
   return line.count == 2 && t == line.t[is_first ? 0 : 1];
 }
 
+/// Whether the one of two roots is so small beside the other that -b ± √D loses most of its digits, or all:
+/// what it is then is no factor.
+bool loses_smaller_root(const Case& one, const std::vector<double>& roots) {
+  if (ray_question(one) != nullptr || roots.size() < 2) return false;
+  const double small = std::min(std::abs(roots[0]), std::abs(roots[1]));
+  const double large = std::max(std::abs(roots[0]), std::abs(roots[1]));
+  return small < (one.precision == Precision::float32 ? 0x1p-16 : 0x1p-40) * large;
+}
+
 /// The hits on a sphere, seen from its centre; none where the answer gives no t.
 std::vector<glm::dvec3> hits_about_centre(const Case& one, const Answer& got) {
   std::vector<glm::dvec3> all;
@@ -77,7 +86,7 @@ Size factor_of(const Case& one, const Answer& got, const Answer& exact, Bears wh
   std::vector<double> right = numbers_in(exact);
   if (mine.empty() || right.empty()) return std::nullopt;
   if (which == Bears::second && mine.size() == 2 && right.size() == 1) right.push_back(right.front());
-  if (mine.size() > right.size()) return std::nullopt;
+  if (mine.size() > right.size() || loses_smaller_root(one, right)) return std::nullopt;
   std::vector<Size> sizes;
   for (std::size_t i = 0; i < mine.size(); ++i) sizes.push_back(factor_between(one, mine[i], right[i]));
   if (which == Bears::both) return all_alike(sizes);

@@ -37,6 +37,16 @@ bool is_inside(InsideRule rule, const glm::dvec2& point, const Outline& outline)
   switch (rule) {
     case InsideRule::closed_sides:
       return crossings(point, outline, all, [](double a, double b) { return a * b <= 0; }) % 2 == 1;
+    case InsideRule::closed_at_first:
+      return crossings(point, outline, all, [](double a, double b) { return a * b < 0 || a == 0; }) % 2 == 1;
+    case InsideRule::level_sides: {
+      int more = 0;
+      for (std::size_t i = 0; i < all; ++i) {
+        const glm::dvec2 a = outline[i], b = outline[(i + 1) % all];
+        more += a.y == point.y && b.y == point.y && std::max(a.x, b.x) > point.x ? 1 : 0;
+      }
+      return is_odd != (more % 2 == 1);
+    }
     case InsideRule::not_level:
       return is_odd && std::ranges::none_of(outline, [&](const auto& v) { return v.y == point.y; });
     case InsideRule::exchanged:
@@ -107,6 +117,15 @@ bool is_inside(InsideRule rule, const glm::dvec2& point, const Outline& outline)
       return turns_without_sign(point, outline) > 1 - small_turn;
     case InsideRule::angles_rounded:
       return std::lround(turns_without_sign(point, outline)) % 2 == 1;
+    case InsideRule::cut_off_turns: {
+      int count = 0;
+      for (std::size_t i = 0; i < all; ++i) {
+        const glm::dvec2 a = outline[i], b = outline[(i + 1) % all];
+        const double side = std::trunc(turn(a, b, point));
+        count += half_open(a.y - point.y, b.y - point.y) && (b.y > a.y ? side > 0 : side < 0) ? 1 : 0;
+      }
+      return count % 2 == 1;
+    }
     case InsideRule::bounds_of_three:
       return is_odd && is_in_bounds(point, {outline[0], outline[1], outline[2]});
     case InsideRule::bounds:

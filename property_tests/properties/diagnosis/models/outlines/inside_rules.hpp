@@ -9,6 +9,8 @@ namespace rayproof::diagnosis {
 /// Rules that a subject may follow in place of the even-odd one.
 enum class InsideRule {
   closed_sides,     ///< sides closed at both ends, or open at both: a level vertex counts twice or never
+  closed_at_first,  ///< a side has its first vertex and not its second, whichever is higher
+  level_sides,      ///< a side level with the point counts as crossed, too
   not_level,        ///< the point must not be level with a vertex: then it is outside
   exchanged,        ///< the point's two coordinates stand in each other's place
   winding,          ///< what winds round the point any number of times but 0 is inside
@@ -29,6 +31,7 @@ enum class InsideRule {
   angles,           ///< the angles at which the sides are seen, without a sign, add up to a whole turn
   angles_or_more,   ///< to a whole turn or more
   angles_rounded,   ///< to an odd number of turns, rounded
+  cut_off_turns,    ///< twice the area that a side spans with the point is cut off to a whole number
   bounds_of_three,  ///< what lies outside the bounding box of the first three vertices is outside
   bounds            ///< the bounding box
 };

@@ -42,11 +42,13 @@ Answers plane_of_corner(const Case& one, const Answer& /*exact*/) {
   if (!figure) return {};
   const auto hit = plane_hit(one, *figure);
   if (!hit) return {RayAnswer{}};
-  if (is_at_side(one.precision, hit->point, hit->vertices)) return {};
-  Answers answers = hit_at(one, hit->t, is_inside_outline(*hit));
-  auto& found = std::get<RayAnswer>(answers.front());
-  if (found.hits.count > 0)
-    found.normal = glm::normalize(map_of_normals(*ray_question(one)) * figure->normal);
+  const bool is_in = is_inside_outline(*hit);
+  Answers answers = hit_at(one, hit->t, is_in);
+  if (is_at_side(one.precision, hit->point, hit->vertices))  // rounding decides
+    answers.push_back(hit_at(one, hit->t, !is_in).front());
+  for (Answer& answer : answers)
+    if (auto& found = std::get<RayAnswer>(answer); found.hits.count > 0)
+      found.normal = glm::normalize(map_of_normals(*ray_question(one)) * figure->normal);
   return answers;
 }
 

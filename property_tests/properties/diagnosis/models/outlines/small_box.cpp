@@ -15,7 +15,9 @@ Answers outside_small_box(const Case& one, const Answer& exact) {
   const bool is_in = is_inside_outline(*hit);
   const Outline& all = hit->vertices;
   Answers answers;
-  for (const Outline& left : {Outline(all.begin() + 1, all.end()), Outline(all.begin(), all.end() - 1)}) {
+  for (const Outline& left :
+       {Outline(all.begin() + 1, all.end()), Outline(all.begin(), all.end() - 1), Outline{all[0], all[1]},
+        Outline{all[0], all[2]}, Outline{all[0], all.back()}}) {
     const auto [low, high] = bounds_of(left);
     const glm::dvec2& p = hit->point;
     const std::array beyond{p.x<low.x, p.x> high.x, p.y<low.y, p.y> high.y};

@@ -1,6 +1,9 @@
 #include "properties/diagnosis/models/solids/parallelepiped.hpp"
 
+#include <cmath>
+
 #include "properties/claims/answers.hpp"
+#include "properties/edges.hpp"
 
 namespace rayproof::diagnosis {
 
@@ -105,6 +108,19 @@ Answers zero_pivot_missed(const Case& one, const Answer& exact) {
   }
   const bool has_zero = first.x == 0 || first.x * second.y == first.y * second.x;
   return has_zero && finds_something(exact) ? Answers{RayAnswer{}} : Answers{};
+}
+
+void add_endless_along(const Case& one, int edge, Answers& answers) {
+  const auto cube = cube_in(one);
+  if (!cube) return;
+  const glm::dvec3& d = cube->ray.direction;
+  const double rounding = 0x1p-40 * glm::length(d);
+  if (std::abs(d[(edge + 1) % 3]) > rounding || std::abs(d[(edge + 2) % 3]) > rounding) return;
+  RayAnswer endless;
+  for (const double t : {-infinity<double>, infinity<double>})
+    if (in_interval(ray_question(one)->ray, t)) endless.hits.push_back(t);
+  answers.emplace_back(endless);
+  if (endless.hits.count > 0) answers.emplace_back(RayAnswer{});
 }
 
 Answers left_handed_missed(const Case& one, const Answer& exact) {

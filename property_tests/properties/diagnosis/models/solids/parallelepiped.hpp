@@ -20,6 +20,15 @@ template <int edge>
     return true;
   });
 }
+/// Along that edge a ray has no end, so that hits at infinity may be added, or none.
+void add_endless_along(const Case& one, int edge, Answers& answers);
+/// What a subject answers that does not look at the faces at the ends of an edge.
+template <int edge>
+[[nodiscard]] Answers without_faces_of_edge(const Case& one, const Answer& exact) {
+  Answers answers = read_as<endless_parallelepiped<edge>>(one, exact);
+  if (!answers.empty()) add_endless_along(one, edge, answers);
+  return answers;
+}
 /// The same beyond the corner alone: the edge is taken for an endless half line.
 template <int edge>
 [[nodiscard]] std::vector<Case> half_endless_parallelepiped(const Case& one) {

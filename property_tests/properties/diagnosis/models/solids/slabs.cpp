@@ -183,6 +183,21 @@ Answers leaves_before_it_enters(const Case& one, const Answer& exact) {
   return {hits_where(as_found, admits), hits_where(in_order, admits)};
 }
 
+Answers slabs_upside_down(const Case& one, const Answer& /*exact*/) {
+  const auto cube = cube_in(one);
+  const auto slabs = cube ? slabs_of(*cube) : std::nullopt;
+  if (!slabs) return {};
+  double enters = -infinity<double>, leaves = infinity<double>;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double o = cube->ray.origin[axis], d = cube->ray.direction[axis];
+    if (d == 0) continue;
+    const auto [near, far] = std::minmax({d / (cube->low[axis] - o), d / (cube->high[axis] - o)});
+    enters = std::max(enters, near);
+    leaves = std::min(leaves, far);
+  }
+  return inside_from(one, enters, leaves);
+}
+
 Answers missed_along_slab(const Case& one, const Answer& exact) {
   const auto cube = cube_in(one);
   if (!cube || !finds_something(exact)) return {};

@@ -60,6 +60,8 @@ template <unsigned axes>
   return slabs_turned(one, axes, false);
 }
 /// @}
+/// The t of each slab are upside down: d / (low - o).
+[[nodiscard]] Answers slabs_upside_down(const Case& one, const Answer& exact);
 /// The t of each slab are taken without their signs.
 [[nodiscard]] Answers slabs_without_signs(const Case& one, const Answer& exact);
 /// Only the three faces at a box's min, or at a parallelepiped's corner, are hit.

@@ -28,10 +28,6 @@ Answers slab_along_mirrored(const Case& one, const Answer& /*exact*/) {
   return other.ray.origin == cube->ray.origin ? Answers{} : through_slabs(one, other);
 }
 
-bool is_hit_along_mirrored(const Case& one, const Answer& exact) {
-  return !finds_something(exact) && std::ranges::any_of(slab_along_mirrored(one, exact), finds_something);
-}
-
 Answers first_slab_alone(const Case& one, const Answer& /*exact*/) {
   const auto cube = cube_in(one);
   if (!cube) return {};

@@ -11,8 +11,6 @@ namespace rayproof::diagnosis {
 [[nodiscard]] Answers slabs_turned_by_origin(const Case& one, const Answer& exact);
 /// Of a slab that the line runs along the origin is compared with the opposite sign.
 [[nodiscard]] Answers slab_along_mirrored(const Case& one, const Answer& exact);
-/// Whether something is found so where nothing is.
-[[nodiscard]] bool is_hit_along_mirrored(const Case& one, const Answer& exact);
 /// Of the slabs only the first that the line crosses is looked at: the loop ends there.
 [[nodiscard]] Answers first_slab_alone(const Case& one, const Answer& exact);
 /// A ray from beyond the solid's planes misses, whatever its direction: beyond the upper one, or the lower
