@@ -137,17 +137,22 @@ struct WholePlane {
   return scene_of(grid, shape, points.point_near(lattice::whole(drawn, grid.origin), steps), direction);
 }
 
-/// A ray that begins beside corner + u·a + v·b and meets it there: v is beside the middle of two numbers, u
-/// has few digits. All three are multiples of 2^-bits_of_edges, and a, b the edges of a figure.
+/// A ray that begins beside corner + u·a + v·b and meets it there: v is beside the middle of two numbers, or
+/// beside the number at which the interval of t ends, which is none of its business; u has few digits. All
+/// three are multiples of 2^-bits_of_edges, and a, b the edges of a figure.
 [[nodiscard]] inline std::optional<Scene> to_round_a_coordinate(Random& random, Precision precision,
                                                                 const Shape& shape, const glm::dvec3& corner,
                                                                 const glm::dvec3& a, const glm::dvec3& b) {
   constexpr int bits_of_edges = 16;
-  const int digits = draw::digits_of(precision), bits = 4 * digits, e = random.between(1, 3);
-  const double u = random.between(0, 8) / 16.0;
-  Whole v = (2 * lattice::some_whole(random, digits) + 1) << (bits - digits - 1 - e);
+  const bool is_tiny = corner == glm::dvec3(0) && random.one_in(2), ends_there = random.one_in(4);
+  const int digits = draw::digits_of(precision), bits = 6 * digits;
+  const int e = random.between(1, is_tiny ? 2 * digits : 3);
+  const double u = is_tiny ? 0 : random.between(0, 8) / 16.0;
+  const Whole M = 2 * lattice::some_whole(random, digits) + (ends_there ? 0 : 1);
+  Whole v = M << (bits - digits - 1 - e);
   if (!random.one_in(4)) {
-    const Whole off = lattice::some_whole(random, bits - static_cast<int>(random.uniform(1.5, 2.5) * digits));
+    const Whole off =
+        lattice::some_whole(random, bits - e - static_cast<int>(random.uniform(1.5, 2.5) * digits));
     v += random.one_in(2) ? -off : off;
   }
   Scene scene{{}, {}, shape};
@@ -155,12 +160,14 @@ struct WholePlane {
     const Whole place = lattice::whole(corner[i] + u * a[i], bits) +
                         ((v * lattice::whole(b[i], bits_of_edges)) >> bits_of_edges);
     const double high = lattice::difference(precision, place, bits).high;
-    const double step = std::ldexp(1.0, 1 + std::ilogb(std::max(std::abs(high), 0.25)) - digits);
+    const double size = is_tiny ? std::abs(high) : std::max(std::abs(high), 0.25);
+    const double step = size == 0 ? 0 : std::ldexp(1.0, 1 + std::ilogb(size) - digits);
     scene.origin[i] = round_to(precision, high + random.between(-2, 2) * step);
     const Whole way = place - lattice::whole(scene.origin[i], bits);
     scene.direction[i] = round_to(precision, lattice::number(way, bits - digits));
   }
   if (scene.direction == glm::dvec3(0)) return std::nullopt;
+  if (ends_there) scene.t_max = lattice::number(M, digits + 1 + e);
   return scene;
 }
 

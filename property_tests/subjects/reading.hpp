@@ -111,7 +111,8 @@ struct Reading {
     if constexpr (is_flat && std::is_same_v<ShapeIn<T>, Triangle<T>>)
       result.barycentric = glm::dvec3(T(1) - roots.u - roots.v, roots.u, roots.v);
     if constexpr (requires { Method::has_parameters; })
-      if (asked.shape.form == PlaneForm::parametric) result.parameters = glm::dvec2(roots.u, roots.v);
+      if (asked.shape.form == PlaneForm::parametric || roots.u != 0 || roots.v != 0)
+        result.parameters = glm::dvec2(roots.u, roots.v);
     return result;
   }
 

@@ -55,6 +55,10 @@ std::optional<ErrorOfHit> of_coordinates(Trial& trial) {
   const Subject& subject = trial.subject();
   const bool promises_rounding = subject.contract.holds.contains(Claim::rounded) &&
                                  (!is_transformed(trial.question()) || subject.takes_transforms);
+  const auto& asked = std::get<RayQuestion>(trial.question().question);
+  if (subject.has_own_contract && std::get<RayAnswer>(trial.claimed()).parameters &&
+      !std::holds_alternative<ParametricPlane>(asked.shape))
+    return ErrorOfHit{HUGE_VAL, subject.contract.hit.coordinates.promised};  // there are none
   if (promises_rounding && trial.details().coordinates && !trial.details().coordinates_are_rounded)
     return ErrorOfHit{HUGE_VAL, subject.contract.hit.coordinates.promised};
   return measured(trial.error_of_coordinates(), trial.subject().contract.hit.coordinates.promised);

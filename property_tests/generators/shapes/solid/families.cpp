@@ -122,6 +122,10 @@ struct SolidLayouts {
   /// edge.
   static Scene slender(Random& random, Precision precision) {
     const Frame frame = Kind::slender(random);
+    if (random.one_in(4)) {
+      const glm::dvec3 inside = draw::vector([&] { return random.uniform(0.001, 0.999); });
+      return {at(frame, inside), any_direction(random), Kind::shape(frame)};
+    }
     const glm::dvec3 target = at(frame, place(random, random.between(1, 3)));
     Scene scene = looked_at(random, Kind::shape(frame), target);
     if (random.one_in(4)) return scene;
@@ -245,9 +249,9 @@ std::vector<Family> solid_families(const std::vector<MinimumShare>& flat_shares)
                                                 {in_reach, {"hit", 0.3}, {"miss", 0.2}}),
       beyond_the_digits<Layout::hard_to_meet>("hard_to_meet", hard::to_meet_description,
                                               {in_reach, {"hit", 0.2}, {"miss", 0.1}}),
-      laid_out<Layout::slender>("slender",
-                                "edges of lengths up to 1000 times another's; near an edge or a corner",
-                                {in_reach, {"hit", 0.4}, {"miss", 0.2}}),
+      laid_out<Layout::slender>(
+          "slender", "edges of lengths up to 1000 times another's; near an edge or a corner, or from inside",
+          {in_reach, {"hit", 0.4}, {"miss", 0.2}}),
       of_the_smallest_size<Layout::slender>({{"hit", 0.4}, {"miss", 0.2}}),
       cut_short<Layout::faces>({in_reach,
                                 {"hit", 0.65},

@@ -53,8 +53,11 @@ std::vector<Family> triangle_families() {
       beyond_the_digits<hard_to_round>("hard_to_round", hard::to_round_description, {in_reach, {"hit", 0.3}}),
       beyond_the_digits<hard_to_decide>("hard_to_decide", hard::to_decide_description,
                                         {in_reach, {"hit", 0.3}, {"miss", 0.3}, {"edge", 0.05}}),
+      beyond_the_digits<beside_a_vertex>(
+          "beside_a_vertex", "past a vertex by next to nothing, half the time on the line of an edge",
+          {{"in reach", 0.3}, {"hit", 0.1}, {"miss", 0.3}}),
       beyond_the_digits<hard_coordinates>("hard_coordinates", hard::coordinate_description,
-                                          {{"in reach", 0.5}, {"hit", 0.9}}),
+                                          {{"in reach", 0.5}, {"hit", 0.75}}),
       beyond_the_digits<hard_to_meet>("hard_to_meet", hard::to_meet_description,
                                       {in_reach, {"hit", 0.1}, {"miss", 0.3}}),
       of_the_smallest_size<slivers>({{"in reach", 0.2}, {"hit", 0.4}}),

@@ -199,8 +199,12 @@ struct OnGrid {
 /// β or γ is beside the middle of two numbers.
 [[nodiscard]] inline Scene hard_coordinates(Random& random, Precision precision) {
   return hard::first_drawn(precision, [&](const hard::Grid& /*grid*/) {
-    const hard::ShortMap map = hard::ShortMap::uneven(random);
-    const Triangle<double> t = whole(random);
+    hard::ShortMap map = hard::ShortMap::uneven(random);
+    Triangle<double> t = whole(random);
+    if (random.one_in(2)) {
+      t = {glm::dvec3(0), t.b - t.a, t.c - t.a};
+      map.by = glm::dvec3(0);
+    }
     const glm::dvec3 a = map.point(t.a), ab = map.point(t.b) - a, ac = map.point(t.c) - a;
     const bool is_beta = random.one_in(2);
     return map.put(
@@ -223,6 +227,20 @@ struct OnGrid {
     const glm::dvec3 edge = t.in_world.b - t.in_world.a, target = t.in_world.a + random.unit() * edge;
     return t.map.put(hard::to_decide(random, grid, turned[random.between(0, 2)], t.in_world.a, edge, target));
   });
+}
+
+/// Along an axis past the vertex (0, 0, 0) by next to nothing, half the time on the line of an edge.
+[[nodiscard]] inline Scene beside_a_vertex(Random& random, Precision precision) {
+  const Triangle<double> t = whole(random);
+  const glm::dvec3 b = t.b - t.a, c = t.c - t.a;
+  const int axis = random.between(0, 2);
+  glm::dvec3 direction(0), off = random.one_in(2) ? whole_vector(random, 4) : random.one_in(2) ? b : c;
+  direction[axis] = random.one_in(2) ? 1 : -1;
+  off *= std::exp2(std::floor(-random.uniform(0.5, 2.5) * draw::digits_of(precision)));
+  off[axis] = 0;
+  const Triangle<double> turned[] = {{{}, b, c}, {b, c, {}}, {c, {}, b}};
+  return {(random.one_in(2) ? off : -off) - double{1} * random.between(0, 3) * direction, direction,
+          turned[random.between(0, 2)]};
 }
 
 /// Begins at a vertex now and then.
