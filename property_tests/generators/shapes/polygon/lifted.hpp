@@ -104,13 +104,13 @@ template <const outline_layout::Layout& layout>
 
 /// An everyday outline whose vertices are exactly in a plane, on a grid, under a map now and then; and what
 /// the map makes of it.
-struct OnGrid {
+struct PolygonOnGrid {
   hard::ShortMap map;
   Sheet sheet;  ///< in the world
   PolygonCase plan;
   Polygon<double> own, in_world;
 
-  OnGrid(Random& random, const hard::Grid& grid)
+  PolygonOnGrid(Random& random, const hard::Grid& grid)
       : map(hard::ShortMap::some(random)), plan(outline_layout::everyday.plan(random)) {
     const Sheet drawn = lattice::on_grid(any_sheet(random), hard::before_the_map(grid) - 3);
     plan.vertices = lattice::on_grid(plan.vertices, 3);
@@ -125,7 +125,7 @@ struct OnGrid {
 
 [[nodiscard]] inline Scene hard_to_round(Random& random, Precision precision) {
   return hard::first_drawn(precision, [&](const hard::Grid& grid) {
-    const OnGrid drawn(random, grid);
+    const PolygonOnGrid drawn(random, grid);
     return drawn.map.put(
         hard::to_round(random, grid, drawn.own, drawn.plane(grid), at(drawn.sheet, drawn.plan.point)));
   });
@@ -133,7 +133,7 @@ struct OnGrid {
 
 [[nodiscard]] inline Scene hard_to_decide(Random& random, Precision precision) {
   return hard::first_drawn(precision, [&](const hard::Grid& grid) {
-    const OnGrid drawn(random, grid);
+    const PolygonOnGrid drawn(random, grid);
     const auto& vertices = drawn.in_world.vertices;
     const auto i = static_cast<std::size_t>(random.between(0, static_cast<int>(vertices.size()) - 1));
     const glm::dvec3 corner = vertices[i], side = vertices[(i + 1) % vertices.size()] - corner;
@@ -145,7 +145,7 @@ struct OnGrid {
 /// Begins at a vertex now and then.
 [[nodiscard]] inline Scene hard_to_meet(Random& random, Precision precision) {
   return hard::first_drawn(precision, [&](const hard::Grid& grid) {
-    const OnGrid drawn(random, grid);
+    const PolygonOnGrid drawn(random, grid);
     const glm::dvec3 target =
         random.one_in(4) ? drawn.in_world.vertices.front() : at(drawn.sheet, drawn.plan.point);
     return drawn.map.put(hard::to_meet(random, grid, drawn.own, drawn.plane(grid), target));

@@ -135,11 +135,11 @@ struct SolidLayouts {
   }
 
   /// One on a grid, under a map now and then, and what the map makes of it.
-  struct OnGrid {
+  struct SolidOnGrid {
     hard::ShortMap map;
     Frame own, in_world;
 
-    OnGrid(Random& random, const hard::Grid& grid)
+    SolidOnGrid(Random& random, const hard::Grid& grid)
         : map(hard::ShortMap::some(random)),
           own(lattice::on_grid(Kind::in_a_room(random), hard::before_the_map(grid))),
           in_world{map.point(own.corner),
@@ -159,7 +159,7 @@ struct SolidLayouts {
 
   static Scene hard_to_round(Random& random, Precision precision) {
     return hard::first_drawn(precision, [&](const hard::Grid& grid) {
-      const OnGrid solid(random, grid);
+      const SolidOnGrid solid(random, grid);
       const int across = random.between(0, 2);
       glm::dvec3 target = draw::vector([&] { return random.unit(); }), end(0);
       target[across] = end[across] = random.between(0, 1);
@@ -172,7 +172,7 @@ struct SolidLayouts {
 
   static Scene hard_to_decide(Random& random, Precision precision) {
     return hard::first_drawn(precision, [&](const hard::Grid& grid) {
-      const OnGrid solid(random, grid);
+      const SolidOnGrid solid(random, grid);
       const int along = random.between(0, 2);
       glm::dvec3 corner = draw::vector([&] { return double{1} * random.between(0, 1); });
       corner[along] = 0;
@@ -189,7 +189,7 @@ struct SolidLayouts {
       return {frame.corner, edge(frame, random.between(0, 2)), Kind::shape(frame)};
     }
     return hard::first_drawn(precision, [&](const hard::Grid& grid) {
-      OnGrid solid(random, grid);
+      SolidOnGrid solid(random, grid);
       const int across = random.between(0, 2);
       if (random.one_in(3)) solid.widen(across, std::exp2(random.between(1, 2 * grid.digits)));
       glm::dvec3 target = random.one_in(4) ? glm::dvec3(0) : draw::vector([&] { return random.unit(); }),

@@ -183,11 +183,11 @@ namespace rayproof::triangle_family {
 }
 
 /// A triangle on a grid, under a map now and then, and what the map makes of it.
-struct OnGrid {
+struct TriangleOnGrid {
   hard::ShortMap map;
   Triangle<double> own, in_world;
 
-  OnGrid(Random& random, const hard::Grid& grid)
+  TriangleOnGrid(Random& random, const hard::Grid& grid)
       : map(hard::ShortMap::some(random)),
         own(lattice::on_grid(in_a_room(random), hard::before_the_map(grid))),
         in_world{map.point(own.a), map.point(own.b), map.point(own.c)} {}
@@ -214,14 +214,14 @@ struct OnGrid {
 
 [[nodiscard]] inline Scene hard_to_round(Random& random, Precision precision) {
   return hard::first_drawn(precision, [&](const hard::Grid& grid) {
-    const OnGrid t(random, grid);
+    const TriangleOnGrid t(random, grid);
     return t.map.put(hard::to_round(random, grid, t.own, t.plane(grid), inside(random, t.in_world)));
   });
 }
 
 [[nodiscard]] inline Scene hard_to_decide(Random& random, Precision precision) {
   return hard::first_drawn(precision, [&](const hard::Grid& grid) {
-    const OnGrid t(random, grid);
+    const TriangleOnGrid t(random, grid);
     const auto& [a, b, c] = t.own;
     const Triangle<double> turned[] = {t.own, {b, c, a}, {c, a, b}};  // any edge is the first of one
     const glm::dvec3 edge = t.in_world.b - t.in_world.a, target = t.in_world.a + random.unit() * edge;
@@ -246,7 +246,7 @@ struct OnGrid {
 /// Begins at a vertex now and then.
 [[nodiscard]] inline Scene hard_to_meet(Random& random, Precision precision) {
   return hard::first_drawn(precision, [&](const hard::Grid& grid) {
-    const OnGrid t(random, grid);
+    const TriangleOnGrid t(random, grid);
     const glm::dvec3 target = random.one_in(4) ? t.in_world.a : inside(random, t.in_world);
     return t.map.put(hard::to_meet(random, grid, t.own, t.plane(grid), target));
   });
