@@ -13,8 +13,8 @@ namespace rayproof::leaving {
 
 namespace {
 
-/// The families of numbers of any size, and of no sense.
-constexpr std::string_view any_numbers[] = {"special", "bit_patterns", "exponents"};
+/// The families of numbers of any size, and of no sense; and of the smallest, which are made smaller here.
+constexpr std::string_view any_numbers[] = {"special", "bit_patterns", "exponents", "smallest"};
 
 /// A unit vector, or 0.
 glm::dvec3 straightened(const glm::dvec3& v) {

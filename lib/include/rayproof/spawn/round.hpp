@@ -62,8 +62,9 @@ template <class T>
   const T stretch = max(per_x, per_y);
   const T inside = T(1) - (resolution.x + resolution.y) * stretch - T(16 * eps);
   const T onto = select(is_cap, min(max(inside, T(0)) * per_axis, T(1)), per_axis);
+  const T from_end = resolution.z + T(8 * eps) * cylinder.height;
   const T z = select(is_cap, select(is_top, cylinder.height, T(0)),
-                     clamped(p.z, resolution.z, cylinder.height - resolution.z));
+                     clamped(p.z, from_end, cylinder.height - from_end));
   const vec3<T> point{cylinder.rx * (x * onto), cylinder.ry * (y * onto), z};
   const T zero(0);
   const auto of_side = [&](const T& side) { return select(is_cap, zero, side); };

@@ -32,7 +32,8 @@ struct SmallestOf {
 };
 
 /// The point moved straight onto the nearest face, where it is exact; and within the other faces by
-/// `resolution`, so that what goes in near an edge is not outside the next face.
+/// `resolution`, and by what rounding takes there, so that what goes in near an edge is not outside the next
+/// face, however far beside it p was.
 template <class T>
 [[nodiscard]] constexpr SurfacePoint<T> surface_point(const Box<T>& box, const vec3<T>& p,
                                                       const vec3<T>& resolution) {
@@ -41,7 +42,8 @@ template <class T>
   const auto outward = [](const T& low, const T& high) { return select(high < low, T(1), T(-1)); };
   const auto onto = [](const T& side, const T& low, const T& high) { return select(T(0) < side, high, low); };
   const auto within = [](const T& at, const T& low, const T& high, const T& by) {
-    return clamped(at, low + by, high - by);
+    const T few(8 * unit<T>);
+    return clamped(at, low + (by + few * abs(low)), high - (by + few * abs(high)));
   };
   const vec3<T> side{outward(to_low.x, to_high.x), outward(to_low.y, to_high.y),
                      outward(to_low.z, to_high.z)};

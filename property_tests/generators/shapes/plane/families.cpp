@@ -130,7 +130,7 @@ Scene hard_coordinates(Random& random, Precision precision) {
 Scene skewed(Random& random) { return skewed_to(random, -7); }
 /// The angle is so small that the square of u × v underflows where u and v are the smallest.
 Scene very_skewed(Random& random, Precision precision) {
-  return skewed_to(random, -0.9 * draw::digits_of(precision));
+  return skewed_to(random, -0.6 * draw::digits_of(precision));
 }
 
 /// The plane's two forms with a normal have one of the grid; what else gives them is on it, too.
