@@ -55,6 +55,14 @@ TYPED_TEST(LeavingIn, AnEdgeIsLeftInsideTheNextFaceToo) {
   }
 }
 
+// Found by rays from so far away that their hits, at (0, 0, 0), are beside the box.
+TYPED_TEST(LeavingIn, AHitBesideTheNextFaceComesInsideItToo) {
+  using T = TypeParam;
+  const Box<T> below{{-1, 0, 0}, {T(-0.1), 1, 1}}, above{{T(1e-8), 0, 0}, {1, 1, 1}};
+  EXPECT_LT((origin_at<Proven, T>(below, {0, 0, 0}, Side::back).x), T(-0.1));
+  EXPECT_GT((origin_at<Proven, T>(above, {0, 0, 0}, Side::back).x), T(1e-8));
+}
+
 TYPED_TEST(LeavingIn, ASphereMovesTheHitOntoItFirst) {
   using T = TypeParam;
   const Sphere<T> ball{{0, 0, 5}, 1};
