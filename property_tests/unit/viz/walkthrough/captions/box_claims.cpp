@@ -1,11 +1,28 @@
 #include <algorithm>
 #include <cmath>
+#include <glm/matrix.hpp>
 
 #include "unit/viz/walkthrough/captions/caption.hpp"
 #include "viz/explain/case_report.hpp"
 
 namespace rayproof::viz {
 namespace {
+
+/// Whether the ray runs along a face of a parallelepiped so nearly that doubles hardly show where it meets
+/// it.
+bool runs_along_a_face(const Case& one) {
+  const auto& asked = std::get<RayQuestion>(one.question);
+  const auto* solid = std::get_if<Parallelepiped<double>>(&asked.shape);
+  if (solid == nullptr) return false;
+  const glm::dmat3 to_object = asked.transform ? glm::inverse(glm::dmat3(*asked.transform)) : glm::dmat3(1);
+  const glm::dvec3 d = to_object * asked.ray.direction;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const glm::dvec3 &e = solid->edges[i], &f = solid->edges[(i + 1) % 3];
+    const double size = glm::length(e) * glm::length(f) * glm::length(d);
+    if (std::abs(glm::dot(glm::cross(e, f), d)) <= 1e-9 * size) return true;
+  }
+  return false;
+}
 
 bool is_any_zero(const glm::dvec3& v) { return v.x == 0 || v.y == 0 || v.z == 0; }
 
@@ -70,6 +87,7 @@ std::vector<CheckedClaim> box_claims() {
           {"Where the exit comes first, it misses.",
            [](const Said& s) {
              const double entry = s.n["t_entry"], exit = s.n["t_exit"];
+             if (runs_along_a_face(s.report.one)) return;
              if (exit < entry - 1e-12 * (std::abs(entry) + std::abs(exit))) {
                EXPECT_TRUE(values_of(&s.report.exact).empty()) << entry << " " << exit;
              }
