@@ -61,7 +61,7 @@ struct WholePlane {
 [[nodiscard]] inline std::optional<Scene> scene_of(const Grid& grid, const Shape& shape,
                                                    const WholeVector& origin, const WholeVector& direction) {
   for (const Whole& x : origin)
-    if (abs(x) >> grid.digits != 0) return std::nullopt;
+    if ((abs(x) >> grid.digits) != 0) return std::nullopt;
   return Scene{lattice::vector(origin, grid.origin), lattice::vector(direction, grid.direction), shape};
 }
 
