@@ -168,7 +168,18 @@ Evidence show_normal(Trial& trial) {
   return show<&RayAnswer::normal>(
       trial, "normal", fmt::format("{:.3g} contract units from the surface's at t", *trial.details().normal));
 }
+/// Of a plane's hit, whose coordinates are its two parameters, and which only a parametric one has.
+Evidence show_parameters(Trial& trial, const glm::dvec2& given) {
+  const auto exact = std::get<RayAnswer>(oracle::answer(trial.question())).parameters;
+  const std::string right =
+      exact ? fmt::format("the exact ones are [{:.9g}, {:.9g}]", exact->x, exact->y) : "the plane has none";
+  return show_answer(trial, fmt::format("the parameters of the first hit are [{:.9g}, {:.9g}]; {}", given.x,
+                                        given.y, right));
+}
 Evidence show_coordinates(Trial& trial) {
+  const auto& claimed = std::get<RayAnswer>(trial.claimed());
+  if (claimed.parameters) return show_parameters(trial, *claimed.parameters);
+  if (!claimed.barycentric) return show_answer(trial, "the first hit has no coordinates");
   return show<&RayAnswer::barycentric>(trial, "barycentric triple",
                                        fmt::format("off by {:.3g} ε", *trial.details().coordinates));
 }
