@@ -17,12 +17,16 @@ using Json = nlohmann::ordered_json;
 double short_number(double x) { return std::round(x * 1e4) / 1e4; }
 
 /// x, y and z of each point, in one list.
-Json flat(const SpacePoints& points) {
+Json all_digits(const SpacePoints& points) {
   Json list = Json::array();
   for (const glm::dvec3& p : points) {
-    for (int i = 0; i < 3; ++i) list.push_back(short_number(p[i]));
+    for (int i = 0; i < 3; ++i) list.push_back(p[i]);
   }
   return list;
+}
+Json flat(SpacePoints points) {
+  for (glm::dvec3& p : points) p = {short_number(p.x), short_number(p.y), short_number(p.z)};
+  return all_digits(points);
 }
 Json flat(const glm::dvec3& p) { return flat(SpacePoints{p}); }
 Json flat_each(const std::vector<SpacePoints>& lists) {
@@ -43,7 +47,8 @@ Json body_json(const SpaceBody& body) {
   if (body.is_mark()) json["mark"] = marks.at(static_cast<std::size_t>(mark_of(body.shown.item->role)));
   if (body.is_surface()) json["opacity"] = body.opacity;
   if (body.is_mark() || body.is_surface()) {
-    json["points"] = flat(body.points);
+    // The axes of an ellipsoid are differences, and none of them may be rounded to 0.
+    json["points"] = body.shown.item->form == Form::ellipsoid ? all_digits(body.points) : flat(body.points);
     if (!body.shown.item->faces.empty()) json["faces"] = body.shown.item->faces;
     if (!body.strips.empty()) json["strips"] = flat_each(body.strips);
     return json;

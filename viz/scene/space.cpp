@@ -88,6 +88,14 @@ bool is_net(const std::vector<ShownItem>& shown) {
   return std::ranges::count_if(shown, is_polygon) > many;
 }
 
+/// Whether a surface is there to be seen: with coordinates that are numbers, and not a point of the picture.
+bool is_seen(const SpacePoints& points) {
+  constexpr double speck = 1e-4;
+  const auto is_apart = [&](const glm::dvec3& p) { return glm::length(p - points.front()) >= speck; };
+  return std::ranges::all_of(points, [](const glm::dvec3& p) { return is_finite(p); }) &&
+         std::ranges::any_of(points, is_apart);
+}
+
 /// How far a place is from the eye over how far the middle is: what is as much larger looks alike there.
 double depth_of(const glm::dvec3& p, const SpaceCamera& camera) {
   if (camera.is_flat) return 1;
@@ -112,8 +120,7 @@ std::optional<SpaceBody> body_of(const ShownItem& shown, const Space& space, boo
     case Form::polygon:
     case Form::solid:
     case Form::ellipsoid: {
-      if (!std::ranges::all_of(body.points, [](const glm::dvec3& p) { return is_finite(p); }))
-        return std::nullopt;
+      if (!is_seen(body.points)) return std::nullopt;
       const bool is_polygon = shown.item->form == Form::polygon;
       if (is_polygon && has_net) body.radius *= 0.5;
       if (shown.item->is_open) body.radius = 0;

@@ -264,7 +264,7 @@ def drive_cases(path, browser):
 
     def expect(holds, what):
         if not holds:
-            failures.append(f"{path.name} of a check: {what}")
+            failures.append(f"{path.parent.name}: {what}")
 
     count = page.run("document.querySelectorAll('.case').length")
     expect(count > 3, f"{count} findings have a picture")
@@ -284,7 +284,7 @@ def drive_cases(path, browser):
     expect(page.run("document.querySelectorAll('.case.open').length") == 0, "Escape ought to close it")
     page.send("Emulation.setEmulatedMedia", media="print")
     expect(page.run("[...document.querySelectorAll('.case > svg')].every(s => s.getBoundingClientRect().height > 50)"), "each is to be printed")
-    failures += [f"{path.name} of a check: {fault}" for fault in page.faults()]
+    failures += [f"{path.parent.name}: {fault}" for fault in page.faults()]
     page.close()
     return failures
 
@@ -335,9 +335,10 @@ def main():
         browser, plain = devtools.Browser(program), devtools.Browser(program, ["--disable-3d-apis"])
         try:
             failures = drive(pathlib.Path(folder), browser, plain, options.every)
-            check = pathlib.Path(folder) / "check"
-            subprocess.run([options.check, "--cases", "300", "--shape", "sphere", "--out", check], check=True, stdout=subprocess.DEVNULL)
-            failures += drive_cases(check / "index.html", browser)
+            for shape in ("sphere", "triangle", "polygon"):
+                check = pathlib.Path(folder) / f"check-{shape}"
+                subprocess.run([options.check, "--cases", "300", "--shape", shape, "--out", check], check=True, stdout=subprocess.DEVNULL)
+                failures += drive_cases(check / "index.html", browser)
         finally:
             browser.close()
             plain.close()

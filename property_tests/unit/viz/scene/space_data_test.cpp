@@ -42,6 +42,19 @@ TEST(SpaceData, WhatIsOutOfReachOrNoNumberIsLeftOut) {
   EXPECT_TRUE(space.labels.empty());
 }
 
+TEST(SpaceData, ABallTooSmallToSeeIsLeftOutAndAThinOneKeepsAllItsAxes) {
+  const auto ball = [](double across, double high) {
+    return StageItem{
+        Role::surface, Form::ellipsoid, {{1, 0, 0}, {1 + across, 0, 0}, {1, across, 0}, {1, 0, high}}};
+  };
+  EXPECT_TRUE(space_of(stage_with({ball(1e-6, 1e-6)}), 0).bodies.empty());
+  const Stage thin = stage_with({ball(1, 1e-6)});
+  EXPECT_EQ(space_of(thin, 0).bodies.size(), 1U);
+  // Three.js inverts the matrix of the axes.
+  const Json space = Json::parse(space_json(thin));
+  EXPECT_EQ(space["steps"][0]["bodies"][0]["points"].at(11), 1e-6);
+}
+
 TEST(SpaceData, AnArrowHasItsTipWhereItPoints) {
   const Space space = space_of(stage_with({arrow(Role::ray, {0, 0, 0}, {0, 1, 0})}), 0);
   ASSERT_TRUE(space.bodies.at(0).head);
