@@ -89,17 +89,19 @@ template <std::floating_point T>
 
 /// Outward, of the cap or the side, whichever is nearer. Distances count in the rounding that each has at t,
 /// as in the units of the contracts: else the side of a flat cylinder, or the cap of a thin one, would seem
-/// near.
+/// near. Where rounding leaves the point on the axis, it says nothing of the side, which then faces the ray.
 template <std::floating_point T>
 [[nodiscard]] vec3<T> normal_at(const Cylinder<T>& cylinder, const Ray<T>& ray, const T& t) {
   const auto scaled = [&](const vec3<T>& v) { return vec3<T>{v.x / cylinder.rx, v.y / cylinder.ry, v.z}; };
   const auto across = [](const vec3<T>& v) { return sqrt(v.x * v.x + v.y * v.y); };
-  const vec3<T> p = scaled(point_at(ray, t)), origin = scaled(ray.origin), run = t * scaled(ray.direction);
+  const vec3<T> p = scaled(point_at(ray, t)), origin = scaled(ray.origin), d = scaled(ray.direction);
+  const vec3<T> run = t * d;
   const T off_side = abs(T(1) - across(p)) / (across(origin) + T(1) + across(run));
   const T to_bottom = abs(p.z), to_top = abs(cylinder.height - p.z);
   const T off_cap = min(to_bottom, to_top) / (abs(origin.z) + cylinder.height + abs(run.z));
   if (cylinder.capped && !(off_side <= off_cap)) return {0, 0, to_top < to_bottom ? T(1) : T(-1)};
-  return unit_vector<T>({p.x / cylinder.rx, p.y / cylinder.ry, T(0)});
+  const vec3<T> outward = p.x == T(0) && p.y == T(0) ? -d : p;
+  return unit_vector<T>({outward.x / cylinder.rx, outward.y / cylinder.ry, T(0)});
 }
 
 /// Outward, of the face nearest to the point: of a box under a map. A ray that was rounded on its way into

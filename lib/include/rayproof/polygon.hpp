@@ -12,16 +12,17 @@ namespace rayproof {
 /// plane goes through `vertices[0]` with the Newell normal; hit point and vertices are projected along the
 /// axis where that normal is largest in magnitude (ties: the later axis).
 ///
-/// Units of the contracts. Let V = Σ|vᵢ||vᵢ₊₁| (which bounds the Newell normal), P the largest |vᵢ|, and
-/// L(t) = |origin| + P + |t||direction|. *Residual* is |normal·(p(t) - v₀)| / (ε·V·L(t)). *Verdict* is the
-/// least distance of the ray from a side of the polygon, or of an end of its interval from the polygon, in
-/// units of ε·K·L(t) where it is nearest, K = D² / |Newell's normal|, D as below, or 1 where that is less: by
-/// so much the rounding of the normal turns the plane, which moves the point where the ray meets it. A side
-/// is taken to lie in the plane: a vertex that does not, below or above it, counts where it is projected. Or,
-/// where the vertices are so far off the plane that the polygon is met otherwise when seen along another
-/// axis, by how much the normal's largest component is larger than that axis's, in units of ε·V, if that is
-/// less: rounding may choose the other one. *Ulp* is in ulps of the exact t. *Domain* speaks of all numbers
-/// of the case that are not 0.
+/// Units of the contracts. Let V = Σ|vᵢ||vᵢ₊₁| (which bounds the Newell normal; of n vertices, from 64 on,
+/// n/64 times as much, since the roundings of a long sum add up), P the largest |vᵢ|, and L(t) = |origin| + P
+/// + |t||direction|. *Residual* is |normal·(p(t) - v₀)| / (ε·V·L(t)). *Verdict* is the least distance of the
+/// ray from a side of the polygon, or of an end of its interval from the polygon, in units of ε·K·L(t) where
+/// it is nearest, K = D² / |Newell's normal|, D as below, or 1 where that is less: by so much the rounding of
+/// the normal turns the plane, which moves the point where the ray meets it. A side is taken to lie in the
+/// plane: a vertex that does not, below or above it, counts where it is projected. Or, where the vertices are
+/// so far off the plane that the polygon is met otherwise when seen along another axis, by how much the
+/// normal's largest component is larger than that axis's, in units of ε·V, if that is less: rounding may
+/// choose the other one. *Ulp* is in ulps of the exact t. *Domain* speaks of all numbers of the case that are
+/// not 0.
 template <class T>
 struct Polygon {
   std::vector<vec3<T>> vertices;
@@ -63,7 +64,7 @@ inline constexpr double polygon_robust_bound = 8;
 inline constexpr double point_in_polygon_robust_bound = 4;
 
 /// What every sound method says of its first hit. K = n·D² / |Newell's normal|, with n vertices, none farther
-/// than D from the first; from 64 vertices on n/64 times as much, since the roundings of a long sum add up.
+/// than D from the first; from 64 vertices on n/64 times as much, as V is.
 inline constexpr HitBounds polygon_hit_bounds{.point = {.measured = 1.98, .promised = 2, .is_proven = true},
                                               .normal = {.measured = 2.74, .promised = 5}};
 

@@ -23,6 +23,9 @@ Contact contact_of(const QuotientOf<R>& t, const Projection<R>& project, const O
   return locate_in_outline(point, t.denominator(), project, ray, std::span(polygon.vertices));
 }
 
+/// By how much more a sum over this many vertices is off: each product is rounded with what is before it.
+double length_of_sum(std::size_t vertices) { return std::max(1.0, static_cast<double>(vertices) / 64); }
+
 /// The sum of the products that Newell's normal is made of.
 template <class Size>
 Size normal_size_of(const Polygon<double>& polygon) {
@@ -33,7 +36,7 @@ Size normal_size_of(const Polygon<double>& polygon) {
     sum = sum + from * to;
     from = to;
   }
-  return sum;
+  return sum * Size(length_of_sum(polygon.vertices.size()));
 }
 
 /// As the quick judge sees it.
@@ -77,10 +80,10 @@ class PolygonIntersection final : public OutlinedIntersection {
   [[nodiscard]] std::array<Scaled, 3> normal_sizes() const override {
     return {normal_size_of<Scaled>(polygon_)};
   }
-  /// As large as seen from any of its vertices; of a long sum each product is rounded with what is before it.
+  /// As large as seen from any of its vertices.
   [[nodiscard]] Scaled size_of_products() const override {
-    const auto count = static_cast<double>(polygon_.vertices.size());
-    return Scaled(count * std::max(1.0, count / 64)) * reach() * reach();
+    const std::size_t count = polygon_.vertices.size();
+    return Scaled(static_cast<double>(count) * length_of_sum(count)) * reach() * reach();
   }
 
  private:

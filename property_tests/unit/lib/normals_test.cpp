@@ -125,5 +125,13 @@ TYPED_TEST(NormalsOf, ASphereAreOfUnitLengthThoughThePointIsAsGoodAsItsCentre) {
   EXPECT_TRUE(std::isnan(normal_at(Sphere<T>{{1, 2, 3}, 0}, vec3<T>{1, 2, 3}).x));
 }
 
+TYPED_TEST(NormalsOf, ACylinderFaceTheRayWhereRoundingLeavesThePointOnTheAxis) {
+  using T = TypeParam;
+  const T far = std::ldexp(T(1), std::numeric_limits<T>::digits);
+  const Cylinder<T> pole{T(0.25), 1, 1, false};
+  EXPECT_EQ(normal_at(pole, Ray<T>{{-far, 0, 0}, {far, 0, T(0.5)}}, T(1)), (vec3<T>{-1, 0, 0}));
+  EXPECT_EQ(normal_at(pole, Ray<T>{{0, far, 0}, {0, -far, T(0.5)}}, T(1)), (vec3<T>{0, 1, 0}));
+}
+
 }  // namespace
 }  // namespace rayproof

@@ -60,8 +60,11 @@ class CylinderIntersection final : public MeasuredCylinder {
   [[nodiscard]] SurfaceParts parts(const Quotient& t, const Scaled& roundoff) const override {
     SurfaceParts all;
     const CylinderPoint<Ring> p = place_at(t);
-    if (const auto condition = condition_of_side(t, roundoff))
-      all.push_back({side_normal(), off_circle(p), *condition});
+    // On the axis the side has no normal, and each of its normals is as good there.
+    const Ring radius = equation().radius * p.weight;
+    const bool is_on_axis = sign(p.power + radius * radius) == 0;
+    const ExactNormal any{{Ring(1.0), Ring(0.0), Ring(0.0)}};
+    all.push_back({is_on_axis ? any : side_normal(), off_circle(p), condition_of_side(t, roundoff)});
     if (!cylinder().capped) return all;
     for (const bool is_lower : {true, false})
       all.push_back({{{Ring(0.0), Ring(0.0), Ring(is_lower ? -1.0 : 1.0)}}, off_cap(p, is_lower), Scaled(1)});
@@ -77,8 +80,8 @@ class CylinderIntersection final : public MeasuredCylinder {
     return {gradient(equation().origin), gradient(equation().direction)};
   }
   /// By how much the rounding of p(t), in the plane in which the side is the unit circle, may turn the side's
-  /// normal, in units of ε: K of cylinder.hpp, where it is derived. Nothing on the axis, where there is none.
-  [[nodiscard]] std::optional<Scaled> condition_of_side(const Quotient& t, const Scaled& roundoff) const {
+  /// normal, in units of ε: K of cylinder.hpp, where it is derived.
+  [[nodiscard]] Scaled condition_of_side(const Quotient& t, const Scaled& roundoff) const {
     const Scaled reach = sizes().reach_across(t.estimate());
     const Scaled weight = approximate(t.denominator()) * abs(approximate(equation().radius));
     const auto across = [&](const Ring& o, const Ring& d) {
@@ -86,7 +89,6 @@ class CylinderIntersection final : public MeasuredCylinder {
     };
     const Scaled x = across(equation().origin.x, equation().direction.x);
     const Scaled y = across(equation().origin.y, equation().direction.y);
-    if (x.sign() == 0 && y.sign() == 0) return std::nullopt;
     // As near to the axis as rounding may bring each coordinate.
     const Scaled off = Scaled(ray().map ? 8 : 2) * roundoff * reach;
     const Scaled near_x = std::max(x - off, Scaled{}), near_y = std::max(y - off, Scaled{});

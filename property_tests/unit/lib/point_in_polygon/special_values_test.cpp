@@ -150,6 +150,14 @@ TYPED_TEST(EveryPointInPolygonMethod, PrintedParityCountsAVertexTwice) {
   EXPECT_EQ(PrintedParity::locate(PointAndPolygon<T>{{0, T(0.5)}, diamond}), Position::inside);
 }
 
+TEST(Orientation, ChangesItsSignAndNothingElseWhereTheLineIsWalkedBackward) {
+  for (int i = 1; i < 100; ++i) {
+    const auto x = static_cast<float>(i);
+    const Vec2<float> p{1 / x, 0.1F}, a{x / 7, x / 3}, b{0.3F, x * x / 11};
+    EXPECT_EQ(orientation(p, a, b), -orientation(p, b, a));
+  }
+}
+
 }  // namespace
 }  // namespace point_in_polygon
 }  // namespace rayproof

@@ -97,5 +97,10 @@ TEST(Cancellation, HidesADoubleRootFromEveryDiscriminantButKahans) {
   EXPECT_GT(Kahan::roots(q).discriminant, 0);
 }
 
+TEST(Citardauq, KeepsOneRootWhereAVanishes) {
+  EXPECT_EQ(Citardauq::roots(Quadratic<float>{0, 2, 1}).lo, -0.5F);
+  EXPECT_EQ(Citardauq::roots(Quadratic<float>{0, -2, 1}).lo, 0.5F);
+}
+
 }  // namespace
 }  // namespace rayproof::quadratic

@@ -146,5 +146,16 @@ TYPED_TEST(EverySphereMethod, MeetsARadiusOfZeroInAPoint) {
                        [&](const Roots<TypeParam>& roots) { EXPECT_EQ(nearest(this->ray_, roots), 5); });
 }
 
+TEST(StableSphere, LosesNoDigitsOfTheRootNearZeroOnceItHasTheCoefficients) {
+  for (int i = 1; i < 50; ++i) {
+    const Ray<float> ray{{0, 0.1F, -1 - 1e-6F * static_cast<float>(i)}, {0.01F, 0, 1}};
+    const Sphere<float> sphere{{0, 0, 0}, 1.005F};
+    const auto [a, half_b, c] = coefficients(ray, sphere);
+    const double b = -half_b, q = b + std::sqrt(b * b - double{a} * c);
+    EXPECT_NEAR(Stable::roots(ray, sphere).lo * q / c, 1, 4 * std::numeric_limits<float>::epsilon());
+    EXPECT_GT(std::abs(HalfB::roots(ray, sphere).lo * q / c - 1), 1e-6) << "it ought to lose them";
+  }
+}
+
 }  // namespace
 }  // namespace rayproof::sphere
