@@ -100,8 +100,13 @@ using Sheet = ParametricPlane;
   return looked_at_exactly(random, shape, target, whole_vector(random, 4));
 }
 
-/// From where a ray along a short whole vector passes exactly through (0, 0, 0): 2^(0.8·digits) to
-/// 2^(2.2·digits) steps before it.
+/// A short whole vector, or one whose every digit counts: what is rounded on the way differs.
+[[nodiscard]] inline glm::dvec3 toward_the_horizon(Random& random) {
+  return random.one_in(2) ? whole_vector(random, 4) : draw::unit_vector(random);
+}
+
+/// From where a ray along the vector passes exactly through (0, 0, 0): 2^(0.8·digits) to 2^(2.2·digits) steps
+/// before it.
 [[nodiscard]] inline glm::dvec3 horizon(Random& random, Precision precision, const glm::dvec3& direction) {
   return -std::exp2(std::floor(random.uniform(0.8, 2.2) * draw::digits_of(precision))) * direction;
 }

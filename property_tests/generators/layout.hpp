@@ -222,7 +222,7 @@ template <auto layout>
 /// from so far away that more than the format's digits cancel.
 inline void see_from_the_horizon(Random& random, Precision precision, Scene& scene) {
   move(scene.shape, -(scene.origin + scene.aimed_at * scene.direction));
-  scene.direction = whole_vector(random, 4);
+  scene.direction = toward_the_horizon(random);
   scene.origin = horizon(random, precision, scene.direction);
 }
 

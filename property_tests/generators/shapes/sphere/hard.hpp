@@ -51,7 +51,7 @@ namespace rayproof::sphere_family {
 
 /// The ray passes (0, 0, 0), near which the sphere's limb is, from so far away that all digits cancel.
 [[nodiscard]] inline Scene limb_from_the_horizon(Random& random, Precision precision) {
-  const glm::dvec3 direction = whole_vector(random, 4),
+  const glm::dvec3 direction = toward_the_horizon(random),
                    any = draw::perpendicular(random, normalize(direction));
   const double radius = random.uniform(0.5, 2),
                beside =
