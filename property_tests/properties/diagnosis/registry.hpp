@@ -29,7 +29,9 @@ namespace rayproof::diagnosis {
 [[nodiscard]] std::vector<Hypothesis> models_of_flat_figures();
 [[nodiscard]] std::vector<Hypothesis> models_of_outlines();
 [[nodiscard]] std::vector<Hypothesis> models_of_readings();
-[[nodiscard]] std::vector<Hypothesis> models_of_first_hits();
+[[nodiscard]] std::vector<Hypothesis> models_of_contacts();
+[[nodiscard]] std::vector<Hypothesis> models_of_normals();
+[[nodiscard]] std::vector<Hypothesis> models_of_points();
 [[nodiscard]] std::vector<Hypothesis> models_of_sizes_measured();
 [[nodiscard]] std::vector<Hypothesis> models_of_digits();
 [[nodiscard]] std::vector<Hypothesis> cures_of_values();

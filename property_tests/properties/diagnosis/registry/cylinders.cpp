@@ -155,6 +155,8 @@ std::vector<Hypothesis> models_of_cylinders() {
           "a ray along the axis that starts inside is missed: the cap ahead of it is one that it leaves by"),
       gives("missed-along-axis", missed_along_axis,
             "every ray along the axis is missed, also where it hits a cap"),
+      gives("missed-across-axis", missed_across_axis,
+            "every ray at a right angle to the axis is missed: something is divided by d.z"),
       gives("radii-doubled", read_as<radii_doubled>, "the answer is right for twice the radii"),
       gives("radii-halved", read_as<radii_halved>,
             "the answer is right for half the radii: they are taken for diameters"),

@@ -143,7 +143,7 @@ std::vector<Hypothesis> models_of_limits() {
   };
   all.front().is_one_of_many = true;  // it is t that is compared, or the distance
   all.front().differs_by_precision = true;
-  add_epsilons<-15, -12, -10, -9, -8, -7, -6, -5, -4, -3, -2>(all);
+  add_epsilons<-15, -12, -10, -9, -8, -7, -6, -5, -4, -3, -2, -1, 0>(all);
   add_limits<30, 20, 16, 15, 12, 10, 9, 8, 7, 6, 5, 4, 3, 2>(all);
   add_far_centres<12, 10, 9, 8, 7, 6, 5, 4, 3, 2>(all);
   return all;

@@ -98,6 +98,8 @@ inline constexpr Foreseen foreseen_faults[] = {
     {"cylinder", "side-by-mixed-height"},
     {"cylinder", "side-where-caps-missed"},
     {"cylinder", "missed-along-axis"},
+    {"cylinder", "missed-across-axis"},
+    {"sphere", "epsilon-1e0"},
     {"cylinder", "missed-along-side"},
     {"cylinder", "no-height-missed"},
     {"cylinder", "side-as-distance"},

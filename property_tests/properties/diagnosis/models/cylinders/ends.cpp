@@ -132,6 +132,15 @@ Answers missed_along_axis(const Case& one, const Answer& exact) {
   return across < 0x1p-20 * d.z ? Answers{RayAnswer{}, exact} : Answers{};
 }
 
+Answers missed_across_axis(const Case& one, const Answer& exact) {
+  if (shape_in<Cylinder<double>>(one) == nullptr || !finds_something(exact)) return {};
+  const glm::dvec3 d = glm::abs(ray_in_object(*ray_question(one)).direction);
+  if (d.z == 0) return {RayAnswer{}};
+  // Of a transform rounding decides.
+  return d.z < 0x1p-20 * std::max(d.x, d.y) && ray_question(one)->transform ? Answers{RayAnswer{}, exact}
+                                                                            : Answers{};
+}
+
 Answers missed_along_axis_inside(const Case& one, const Answer& exact) {
   const auto* cylinder = shape_in<Cylinder<double>>(one);
   if (cylinder == nullptr) return {};

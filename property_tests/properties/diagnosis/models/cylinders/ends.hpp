@@ -44,6 +44,9 @@ void lift(RayQuestion& asked, double by);
 [[nodiscard]] Answers missed_along_axis_inside(const Case& one, const Answer& exact);
 /// @}
 
+/// A ray at a right angle to the axis is missed.
+[[nodiscard]] Answers missed_across_axis(const Case& one, const Answer& exact);
+
 /// A capped cylinder of no height, which is an ellipse, is missed.
 [[nodiscard]] Answers no_height_is_missed(const Case& one, const Answer& exact);
 
