@@ -45,7 +45,12 @@ bool starts_outside_of_sphere(const Case& one, const Answer& exact) {
   const auto* hits = std::get_if<RayAnswer>(&exact);
   if (sphere == nullptr || hits == nullptr || hits->hits.count == 0) return false;
   const Ray<double> ray = ray_in_object(*ray_question(one));
-  return glm::distance(sphere->center, ray.origin) > (1 + 0x1p-10) * sphere->radius && hits->hits.t[0] > 0;
+  const HitList line = hits_of_line(one).hits;
+  // A search along the ray, too, may leave out what is near the surface, barely hit, or small.
+  const bool is_clear =
+      sphere->radius > 0.25 && glm::distance(sphere->center, ray.origin) > 1.125 * sphere->radius;
+  return is_clear && line.count > 1 && hits->hits.t[0] > 0 &&
+         (line.t[1] - line.t[0]) * glm::length(ray.direction) > sphere->radius;
 }
 
 }  // namespace rayproof::diagnosis

@@ -14,7 +14,8 @@ namespace rayproof::diagnosis {
 /// sphere is missed where its centre is nearer than the radius and the direction's length. An answer for
 /// each, always in the same order.
 [[nodiscard]] Answers near_hits_of_sphere_missed(const Case& one, const Answer& exact);
-/// Whether the ray starts outside: from inside many a fault loses the hit.
+/// Whether the ray starts well outside and passes deep below the surface: from inside, or where it is barely
+/// hit, many a fault loses the hit.
 [[nodiscard]] bool starts_outside_of_sphere(const Case& one, const Answer& exact);
 
 }  // namespace rayproof::diagnosis
