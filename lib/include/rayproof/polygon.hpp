@@ -13,16 +13,16 @@ namespace rayproof {
 /// axis where that normal is largest in magnitude (ties: the later axis).
 ///
 /// Units of the contracts. Let V = Σ|vᵢ||vᵢ₊₁| (which bounds the Newell normal; of n vertices, from 64 on,
-/// n/64 times as much, since the roundings of a long sum add up), P the largest |vᵢ|, and L(t) = |origin| + P
-/// + |t||direction|. *Residual* is |normal·(p(t) - v₀)| / (ε·V·L(t)). *Verdict* is the least distance of the
-/// ray from a side of the polygon, or of an end of its interval from the polygon, in units of ε·K·L(t) where
-/// it is nearest, K = D² / |Newell's normal|, D as below, or 1 where that is less: by so much the rounding of
-/// the normal turns the plane, which moves the point where the ray meets it. A side is taken to lie in the
-/// plane: a vertex that does not, below or above it, counts where it is projected. Or, where the vertices are
-/// so far off the plane that the polygon is met otherwise when seen along another axis, by how much the
-/// normal's largest component is larger than that axis's, in units of ε·V, if that is less: rounding may
-/// choose the other one. *Ulp* is in ulps of the exact t. *Domain* speaks of all numbers of the case that are
-/// not 0.
+/// n/64 times as much, since the roundings of a long sum add up), P the largest |vᵢ|, and L(t) the sum
+/// |origin| + P + |t||direction|. *Residual* is |normal·(p(t) - v₀)| / (ε·V·L(t)). *Verdict* is the least
+/// distance of the ray from a side of the polygon, or of an end of its interval from the polygon, in units
+/// of ε·K·L(t) where it is nearest, K = D² / |Newell's normal|, D as below, or 1 where that is less: by so
+/// much the rounding of the normal turns the plane, which moves the point where the ray meets it. A side is
+/// taken to lie in the plane: a vertex that does not, below or above it, counts where it is projected. Or,
+/// where the vertices are so far off the plane that the polygon is met otherwise when seen along another
+/// axis, by how much the normal's largest component is larger than that axis's, in units of ε·V, if that is
+/// less: rounding may choose the other one. *Ulp* is in ulps of the exact t. *Domain* speaks of all numbers
+/// of the case that are not 0.
 template <class T>
 struct Polygon {
   std::vector<vec3<T>> vertices;
