@@ -12,14 +12,14 @@ namespace {
 /// A search along the ray, as by distances, that ends at a fixed length before the surface.
 template <int power>
 Hypothesis stops_before_by() {
-  Hypothesis made =
+  // A search may end on the surface, too.
+  return admitting(
+      60,
       of(OfSizes::small,
          shows(kept(fmt::format("stops-before-1e{}", power)), stops_before<power>,
                kept(fmt::format("hits lie before the surface by up to 1e{}, or beside it, whatever the "
                                 "scene's size: a search along the ray ends there, by an absolute tolerance",
-                                power))));
-  made.admits = 60;  // a search may end on the surface, too
-  return made;
+                                power)))));
 }
 
 }  // namespace

@@ -22,24 +22,24 @@ namespace {
 
 template <int power>
 Hypothesis loose_edges(FindingKind kind = gross) {
-  Hypothesis made = gives_one_of(
+  return gives_one_of(
       kept(fmt::format("edges-loose-1e{}", power)), edges_with_tolerance<power>,
       kept(fmt::format("hits beside the triangle by barycentric coordinates of -1e{} count, too: a tolerance",
-                       power)));
-  made.kind = kind;
-  return made;
+                       power)),
+      kind);
 }
 
 template <int power>
 Hypothesis tight_edges(FindingKind kind = gross) {
-  Hypothesis made = gives_one_of(
-      kept(fmt::format("edges-tight-1e{}", power)), edges_tight<power>,
-      kept(fmt::format("hits of barycentric coordinates below about 1e{} are left out: a tolerance of the "
-                       "wrong sign",
-                       power)));
-  made.kind = kind;
-  made.shows_more = is_hit_inside;  // that hits on edges are left out alone would be less
-  return of(OfSizes::small, made);
+  // That hits on edges are left out alone would be less.
+  return shown_by(
+      is_hit_inside,
+      of(OfSizes::small,
+         gives_one_of(kept(fmt::format("edges-tight-1e{}", power)), edges_tight<power>,
+                      kept(fmt::format("hits of barycentric coordinates below about 1e{} are left out: a "
+                                       "tolerance of the wrong sign",
+                                       power)),
+                      kind)));
 }
 
 template <int power>

@@ -27,26 +27,35 @@ inline constexpr auto rounding = FindingKind::rounding;
   return {.name = name, .kind = kind, .sentence = sentence, .aspect = aspect, .predict = predict};
 }
 
-/// The same of a model that fits single cases by chance.
+/// One that must explain this share of a sample, in percent: single cases fit it by chance.
+[[nodiscard]] constexpr Hypothesis of_share(std::size_t percent, Hypothesis model) {
+  model.least_share = percent;
+  return model;
+}
+
+/// One that this share of right answers may contradict, in percent of the cases that it explains.
+[[nodiscard]] constexpr Hypothesis admitting(std::size_t percent, Hypothesis model) {
+  model.admits = percent;
+  return model;
+}
+
+/// A model that fits single cases by chance.
 [[nodiscard]] constexpr Hypothesis gives_to_all(std::string_view name, Predict predict,
                                                 std::string_view sentence) {
-  Hypothesis made = gives(name, predict, sentence);
-  made.least_share = 90;
-  return made;
+  return of_share(90, gives(name, predict, sentence));
 }
 
 /// The same of one that fits large numbers, too, which few rounded digits leave as they are.
 [[nodiscard]] constexpr Hypothesis gives_to_most(std::string_view name, Predict predict,
                                                  std::string_view sentence) {
-  Hypothesis made = gives(name, predict, sentence);
-  made.least_share = 60;
-  return made;
+  return of_share(60, gives(name, predict, sentence));
 }
 
 /// A model that stands for many mistakes, of which a subject makes one.
 [[nodiscard]] constexpr Hypothesis gives_one_of(std::string_view name, Predict predict,
-                                                std::string_view sentence) {
-  Hypothesis made = gives(name, predict, sentence);
+                                                std::string_view sentence, FindingKind kind = gross,
+                                                Aspect aspect = Aspect::hits) {
+  Hypothesis made = gives(name, predict, sentence, kind, aspect);
   made.is_one_of_many = true;
   return made;
 }

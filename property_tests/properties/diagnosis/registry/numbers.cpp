@@ -28,11 +28,10 @@ Hypothesis epsilon(std::string_view name, Predict predict, std::string_view sent
 /// That a ray is missed is foreseen by culling, too: a t of the wrong sign must be given once.
 template <Quantity sign>
 Hypothesis wrong_sign(std::string_view name, std::string_view sentence) {
-  Hypothesis made = gives(name, line_scaled_by<sign>, sentence);
-  made.shows_more = [](const Case& one, const Answer& exact) {
+  const auto finds_another = [](const Case& one, const Answer& exact) {
     return std::ranges::any_of(line_scaled_by<sign>(one, exact), finds_something);
   };
-  return made;
+  return shown_by(finds_another, gives(name, line_scaled_by<sign>, sentence));
 }
 
 template <int... power>
@@ -120,12 +119,11 @@ Hypothesis approximated_throughout() {
 
 /// An iteration that stops at a fixed length: any loss of digits is near to it in some cases.
 Hypothesis stop(int power, Recognise recognise) {
-  Hypothesis made = shows(kept(fmt::format("stops-at-1e{}", power)), recognise,
-                          kept(fmt::format("every hit is right to about 1e{} in length, whatever the size of "
-                                           "the scene: an iteration stops there",
-                                           power)));
-  made.least_share = 80;  // those that it meets exactly, on flat faces, may fail by rounding
-  return made;
+  // Those that it meets exactly, on flat faces, may fail by rounding.
+  return of_share(80, shows(kept(fmt::format("stops-at-1e{}", power)), recognise,
+                            kept(fmt::format("every hit is right to about 1e{} in length, whatever the size "
+                                             "of the scene: an iteration stops there",
+                                             power))));
 }
 
 template <int... power>

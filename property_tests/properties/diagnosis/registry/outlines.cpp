@@ -67,19 +67,16 @@ Hypothesis of_first_vertices(std::string_view number) {
 
 template <int from>
 Hypothesis missing_side(std::string_view name, std::string_view words) {
-  Hypothesis made =
-      gives_one_of(name, side_missing<from>,
-                   kept(fmt::format("the side from the {} is forgotten, or counts twice", words)));
-  made.least_share = 90;
-  return made;
+  return of_share(
+      90, gives_one_of(name, side_missing<from>,
+                       kept(fmt::format("the side from the {} is forgotten, or counts twice", words))));
 }
 
 /// What is right inside and wrong outside may look at no side at all.
 Hypothesis angles_rounded() {
-  Hypothesis made =
-      gives("angles-without-sign-rounded", inside_by<InsideRule::angles_rounded>, angles_in_words);
-  made.shows_more = [](const Case& /*one*/, const Answer& exact) { return finds_something(exact); };
-  return made;
+  return shown_by(
+      [](const Case& /*one*/, const Answer& exact) { return finds_something(exact); },
+      gives("angles-without-sign-rounded", inside_by<InsideRule::angles_rounded>, angles_in_words));
 }
 
 constexpr std::string_view level_vertex_in_words =

@@ -17,28 +17,6 @@
 #include "properties/diagnosis/registry/lines.hpp"
 
 namespace rayproof::diagnosis {
-namespace {
-
-/// Else every direction is taken for a unit vector.
-Hypothesis a_as_one_by_length_alone() {
-  Hypothesis made =
-      gives_one_of("a-as-one-by-length", a_as_one_by_length,
-                   "the direction is taken for a unit vector where it is shorter than 1, or longer");
-  made.least_share = 90;
-  return made;
-}
-
-/// A few that are hit, as those in the middle of what is compared with the wrong sign, refute it.
-Hypothesis every_ray_along_slab_missed() {
-  Hypothesis made =
-      gives("missed-along-slab", missed_along_slab,
-            "every ray along a face is missed: a component of the direction that is 0 is taken for a miss");
-  made.admits = 3;
-  return made;
-}
-
-}  // namespace
-
 std::vector<Hypothesis> models_of_solids() {
   return {
       gives("radius-squared", read_as<radius_squared>, "the answer is right for the radius squared"),
@@ -95,7 +73,10 @@ std::vector<Hypothesis> models_of_solids() {
                gives_one_of("zero-coefficient-missed", missed_with_zero_coefficient,
                             "a sphere is missed where b = 0, or where b or c is 0, in a·t² + b·t + c: the "
                             "origin is the point of the line nearest to the centre, or lies on the sphere")),
-      a_as_one_by_length_alone(),
+      // Else every direction is taken for a unit vector.
+      of_share(90, gives_one_of("a-as-one-by-length", a_as_one_by_length,
+                                "the direction is taken for a unit vector where it is shorter than 1, or "
+                                "longer")),
       gives_one_of(
           "centre-beyond-missed", centre_beyond_missed,
           "a sphere whose centre is farther away than t_max is missed, although its surface is nearer"),
@@ -157,7 +138,10 @@ std::vector<Hypothesis> models_of_solids() {
           "and must be <=, or 0·∞ is no number there"),
       gives("missed-in-face", missed_in_face<true, true>,
             "a ray in the plane of a face is missed: 0·∞ is no number, or an inequality is strict there"),
-      every_ray_along_slab_missed(),
+      // A few that are hit, as those in the middle of what is compared with the wrong sign, refute it.
+      admitting(3, gives("missed-along-slab", missed_along_slab,
+                         "every ray along a face is missed: a component of the direction that is 0 is taken "
+                         "for a miss")),
       gives("slab-along-mirrored", slab_along_mirrored,
             "of a slab that the ray runs along the origin is compared with the wrong sign"),
       gives_one_of("nan-in-slab", nan_in_slab,

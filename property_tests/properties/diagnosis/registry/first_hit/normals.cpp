@@ -13,12 +13,6 @@ namespace {
 constexpr std::string_view exchanged_in_words =
     "the normals of two of the three pairs of faces are exchanged";
 
-Hypothesis normal_of_one_of(std::string_view name, Predict predict, std::string_view sentence) {
-  Hypothesis made = gives_one_of(name, predict, sentence);
-  made.aspect = Aspect::normal;
-  return made;
-}
-
 }  // namespace
 
 std::vector<Hypothesis> models_of_normals() {
@@ -34,13 +28,11 @@ std::vector<Hypothesis> models_of_normals() {
             Aspect::normal),
       gives("normal-flipped-by-mirror", normal_flipped_by_mirror,
             "the normal has the wrong sign where the transform mirrors, its determinant negative: it is that "
-            "of "
-            "the transformed edges, or the matrix's cofactors carry it",
+            "of the transformed edges, or the matrix's cofactors carry it",
             gross, Aspect::normal),
       gives("normal-flipped-by-edges", normal_flipped_by_edges,
             "the normal has the wrong sign where the edges are left-handed: the sign of their determinant is "
-            "left "
-            "out",
+            "left out",
             gross, Aspect::normal),
       gives(
           "normal-of-near-hit", normal_of_near_hit,
@@ -50,10 +42,11 @@ std::vector<Hypothesis> models_of_normals() {
       gives("normal-of-other-hit", normal_of_other_hit,
             "the normals of the hits where the ray enters and where it leaves are exchanged", gross,
             Aspect::normal),
-      normal_of_one_of(
+      gives_one_of(
           "normal-of-far-hit", normal_of_far_hit,
           "the normal is that of the far hit: always, or where the ray heads to the middle, or where "
-          "it heads away"),
+          "it heads away",
+          gross, Aspect::normal),
       shows("normal-not-unit", normal_not_unit, "the normal's direction is right, and its length is not 1",
             gross, Aspect::normal),
       gives("normal-by-matrix", normal_by_matrix,
@@ -95,10 +88,11 @@ std::vector<Hypothesis> models_of_normals() {
                 gives("normal-of-first-corner", normal_of_first_corner,
                       "the normal is that of the first three vertices, which a concave corner turns round",
                       gross, Aspect::normal)),
-      normal_of_one_of(
+      gives_one_of(
           "normal-about-mean", normal_about_mean,
-          "the normal is that of two vertices and the mean of all, on which side of their side it may lie "
-          "where the polygon is concave"),
+          "the normal is that of two vertices and the mean of all, on which side of their side it may "
+          "lie where the polygon is concave",
+          gross, Aspect::normal),
       gives("normal-of-circle", normal_of_circle,
             "the normal of an elliptic cylinder is (x, y, 0), and must be (x/rx², y/ry², 0)", gross,
             Aspect::normal),

@@ -13,15 +13,6 @@
 namespace rayproof::diagnosis {
 namespace {
 
-Hypothesis given_undivided_weights() {
-  Hypothesis made = gives_one_of(
-      "given-undivided", given_undivided,
-      "the hit is right, and beta, gamma or all three weights are given before they are divided by "
-      "the determinant");
-  made.aspect = Aspect::coordinates;
-  return made;
-}
-
 template <int decimals>
 Hypothesis few_decimals_of_point() {
   return shows(
@@ -30,15 +21,6 @@ Hypothesis few_decimals_of_point() {
                        "or rounds",
                        decimals)),
       gross, Aspect::point);
-}
-
-Hypothesis weights_exchanged_somewhere() {
-  Hypothesis made = gives_one_of(
-      "weights-exchanged-along-axis", weights_exchanged_along_axis,
-      "the barycentric coordinates are exchanged where the triangle's normal is largest along one axis: in "
-      "one of the projections");
-  made.aspect = Aspect::coordinates;
-  return made;
 }
 
 }  // namespace
@@ -101,8 +83,14 @@ std::vector<Hypothesis> models_of_points() {
       gives("barycentric-u-v-t", weights_and_t,
             "the barycentric coordinates are beta, gamma and t: alpha is missing, and t in its list", gross,
             Aspect::coordinates),
-      given_undivided_weights(),
-      weights_exchanged_somewhere(),
+      gives_one_of("given-undivided", given_undivided,
+                   "the hit is right, and beta, gamma or all three weights are given before they are divided "
+                   "by the determinant",
+                   gross, Aspect::coordinates),
+      gives_one_of("weights-exchanged-along-axis", weights_exchanged_along_axis,
+                   "the barycentric coordinates are exchanged where the triangle's normal is largest along "
+                   "one axis: in one of the projections",
+                   gross, Aspect::coordinates),
       shows("alpha-wrong", weight_is_wrong<0>, "alpha is wrong, and beta and gamma are right", gross,
             Aspect::coordinates),
       shows("beta-wrong", weight_is_wrong<1>, "beta is wrong, and alpha and gamma are right", gross,
