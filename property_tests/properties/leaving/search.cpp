@@ -57,10 +57,8 @@ Started count(StrategyTally& tally, const Strategy& strategy, const Situation& s
     counted.thickest_skipped =
         std::max(counted.thickest_skipped, situation.extent.width / situation.extent.size);
   }
-  if (departure == oracle::Departure::false_hit) {
-    ++counted.false_hits;
-    tally.fail(number);
-  }
+  counted.false_hits += departure == oracle::Departure::false_hit;
+  if (is_failure(strategy, departure)) tally.fail(number);
   return {length, departure == oracle::Departure::clear};
 }
 
@@ -140,13 +138,13 @@ SearchResult search_all(const SearchSettings& settings, const std::atomic<bool>&
         result.outcomes.push_back({asked[i], shape, precision, tallies[i]});
     }
   for (const Strategy* strategy : asked) {
-    std::optional<FalseHit> best;
+    std::optional<WrongStart> best;
     std::size_t least = 0;
     for (const StrategyOutcome& outcome : result.outcomes) {
-      if (outcome.strategy != strategy || !outcome.tally.first_false_hit) continue;
+      if (outcome.strategy != strategy || !outcome.tally.first_failure) continue;
       const auto situation =
-          situation_number(settings, outcome.shape, outcome.precision, *outcome.tally.first_false_hit);
-      FalseHit failure = simplest(*strategy, situation, stop);
+          situation_number(settings, outcome.shape, outcome.precision, *outcome.tally.first_failure);
+      WrongStart failure = simplest(*strategy, situation, stop);
       const std::size_t size = write_case(failure.left).size();
       if (strategy->is_proven) result.failures.push_back(failure);
       if (strategy->is_proven || (best && size >= least)) continue;

@@ -27,8 +27,9 @@ struct StrategyOutcome {
   StrategyTally tally{};
 };
 
-/// A strategy's ray that meets what it has left.
-struct FalseHit {
+/// A strategy's ray that meets what it has left, or that skips the solid it was to start in though its
+/// strategy is proven.
+struct WrongStart {
   const Strategy* strategy = nullptr;
   Situation from{};
   Case left{};  ///< the ray that was started, as a case; its note says how it came about
@@ -37,7 +38,8 @@ struct FalseHit {
 
 struct SearchResult {
   std::vector<StrategyOutcome> outcomes{};
-  std::vector<FalseHit> failures{};  ///< the simplest of each strategy, and every one of a proven strategy's
+  std::vector<WrongStart>
+      failures{};  ///< the simplest of each strategy, and every one of a proven strategy's
   bool was_interrupted = false;
 };
 
@@ -50,8 +52,8 @@ struct SearchResult {
                                   const std::function<void(double, const std::string&)>& progress);
 
 /// The simplest situation like the one found in which the strategy fails.
-[[nodiscard]] FalseHit simplest(const Strategy& strategy, const Situation& found,
-                                const std::atomic<bool>& stop);
+[[nodiscard]] WrongStart simplest(const Strategy& strategy, const Situation& found,
+                                  const std::atomic<bool>& stop);
 
 /// The situation of that number in a search that came to it.
 [[nodiscard]] Situation situation_number(const SearchSettings& settings, const std::string& shape,

@@ -42,4 +42,9 @@ oracle::Departure depart(const Strategy& strategy, const Situation& from, const 
   return oracle::depart(next_ray(strategy, from, origin), from.piece, from.what.side);
 }
 
+bool is_failure(const Strategy& strategy, oracle::Departure departure) {
+  return departure == oracle::Departure::false_hit ||
+         (departure == oracle::Departure::skipped && strategy.is_proven);
+}
+
 }  // namespace rayproof::leaving

@@ -84,12 +84,12 @@ inline constexpr int least_decade = -7, decades = 16;
 /// Of one strategy: by the size of the scene, and the first seed whose ray met what it had left.
 struct StrategyTally {
   std::array<Count, decades> by_size{};
-  std::optional<std::uint64_t> first_false_hit{};  ///< the number of the situation
+  std::optional<std::uint64_t> first_failure{};  ///< the number of the situation
 
-  void fail(std::uint64_t number) { first_false_hit = std::min(first_false_hit.value_or(number), number); }
+  void fail(std::uint64_t number) { first_failure = std::min(first_failure.value_or(number), number); }
   StrategyTally& operator+=(const StrategyTally& more) {
     for (std::size_t i = 0; i < by_size.size(); ++i) by_size.at(i) += more.by_size.at(i);
-    if (more.first_false_hit) fail(*more.first_false_hit);
+    if (more.first_failure) fail(*more.first_failure);
     return *this;
   }
   [[nodiscard]] Count all() const {

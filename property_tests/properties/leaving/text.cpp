@@ -125,13 +125,13 @@ std::string text_tenfold(const SearchResult& result) {
 
 std::string case_lines(const SearchResult& result) {
   std::string lines;
-  for (const FalseHit& failure : result.failures) lines += write_case(failure.left) + '\n';
+  for (const WrongStart& failure : result.failures) lines += write_case(failure.left) + '\n';
   return lines;
 }
 
 std::string text_failures(const SearchResult& result) {
   std::string text;
-  for (const FalseHit& failure : result.failures)
+  for (const WrongStart& failure : result.failures)
     text += fmt::format("{}, its smallest case that was found:\n{}\n", failure.strategy->name,
                         write_case(failure.left));
   return text;

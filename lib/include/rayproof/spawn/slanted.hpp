@@ -112,6 +112,38 @@ template <std::floating_point T>
   return made;
 }
 
+/// How far the point is above the lower face of each pair.
+template <class T>
+[[nodiscard]] constexpr vec3<T> depth_in(const Slanted<T>& solid, const vec3<T>& p) {
+  const vec3<T> f = p - solid.corner;
+  return {dot(solid.normal_x, f), dot(solid.normal_y, f), dot(solid.normal_z, f)};
+}
+
+/// The point moved along each edge by such a part of it.
+template <class T>
+[[nodiscard]] constexpr vec3<T> moved_along_edges(const Slanted<T>& solid, const vec3<T>& p,
+                                                  const vec3<T>& part) {
+  return p + (part.x * solid.edge_x + part.y * solid.edge_y + part.z * solid.edge_z);
+}
+
+/// The hit itself, unless it lies beside the solid by more than the solid is thick, as one that is seen from
+/// far away may: then it is moved along the edges to about the solid. What is moved by many edges at once is
+/// rounded by as much of them, which may be more than the solid is thick.
+template <class T>
+[[nodiscard]] constexpr vec3<T> brought_near(const Slanted<T>& solid, const vec3<T>& p) {
+  const T zero(0), one(1);
+  const vec3<T> depth = depth_in(solid, p);
+  const auto part = [&](const T& at, const T& whole, const T& per_whole) {
+    return (clamped(at, zero, whole) - at) * per_whole;
+  };
+  const vec3<T> parts{part(depth.x, solid.height.x, solid.per_height.x),
+                      part(depth.y, solid.height.y, solid.per_height.y),
+                      part(depth.z, solid.height.z, solid.per_height.z)};
+  const Mask<T> is_near = abs(parts.x) <= one && abs(parts.y) <= one && abs(parts.z) <= one;
+  if (in_all_lanes(is_near)) return p;
+  return select_vector<T>(is_near, p, moved_along_edges(solid, p, parts));
+}
+
 /// The point moved along the edges: along one onto the nearest face, along the others within the other faces.
 ///
 /// An edge lies in the planes of the other pairs, so that each move changes the distance from its own pair
@@ -119,12 +151,12 @@ template <std::floating_point T>
 /// of the height, which also stands between a lower and an upper face. What is moved is rounded by 5ε, and
 /// the edge by 2ε more.
 template <class T>
-[[nodiscard]] constexpr SurfacePoint<T> surface_point(const Slanted<T>& solid, const vec3<T>& p,
+[[nodiscard]] constexpr SurfacePoint<T> surface_point(const Slanted<T>& solid, const vec3<T>& hit,
                                                       const vec3<T>& resolution) {
   constexpr auto eps = unit<T>;
   const T zero(0), tilt(9 * eps);
-  const vec3<T> f = p - solid.corner, spread = magnitudes<T>(f), &height = solid.height;
-  const vec3<T> depth{dot(solid.normal_x, f), dot(solid.normal_y, f), dot(solid.normal_z, f)};
+  const vec3<T> p = brought_near(solid, hit), depth = depth_in(solid, p), &height = solid.height;
+  const vec3<T> spread = magnitudes<T>(p - solid.corner);
   const vec3<T> to_low = magnitudes<T>(depth), to_high = magnitudes<T>(height - depth);
   const vec3<T> to_face{min(to_low.x, to_high.x), min(to_low.y, to_high.y), min(to_low.z, to_high.z)};
   const SmallestOf<T> face(to_face.x, to_face.y, to_face.z);
@@ -144,7 +176,7 @@ template <class T>
   const vec3<T> wanted = face.replaced(in, vec3<T>{onto(height.x), onto(height.y), onto(height.z)});
   const vec3<T> by = wanted - depth;
   const vec3<T> part{by.x * solid.per_height.x, by.y * solid.per_height.y, by.z * solid.per_height.z};
-  const vec3<T> point = p + (part.x * solid.edge_x + part.y * solid.edge_y + part.z * solid.edge_z);
+  const vec3<T> point = moved_along_edges(solid, p, part);
 
   const vec3<T> n = face(solid.normal_x, solid.normal_y, solid.normal_z), sizes = magnitudes<T>(n);
   const vec3<T> shares = magnitudes<T>(part);
@@ -155,7 +187,7 @@ template <class T>
   const vec3<T> error = off * sizes + T(eps) * magnitudes<T>(point) +
                         (solid.corner_error + same_along_each_axis<T>(T(7 * eps) * moved + tilt * off));
   const vec3<T> outward = select(is_low, T(-1), T(1)) * n;
-  return {p, point, outward, outward, error, tilt, zero, true};
+  return {hit, point, outward, outward, error, tilt, zero, true};
 }
 
 }  // namespace rayproof::spawn

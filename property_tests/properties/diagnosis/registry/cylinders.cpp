@@ -165,6 +165,8 @@ std::vector<Hypothesis> models_of_cylinders() {
       gives("height-doubled", read_as<height_doubled>, "the answer is right for twice the height"),
       gives("height-halved", read_as<height_halved>, "the answer is right for half the height"),
       gives("radii-one", read_as<radii_one>, "the answer is right for radii of 1: they are ignored"),
+      gives_one_of("radius-as-height", radius_as_height,
+                   "the radius rx is taken for the height, of the whole cylinder or of its side alone"),
       gives("height-one", read_as<height_one>, "the answer is right for a height of 1: it is ignored"),
       gives("axis-is-x", read_as<cylinder_along<0>>, "the answer is right for a cylinder along x"),
       gives("axis-is-y", read_as<cylinder_along<1>>, "the answer is right for a cylinder along y"),

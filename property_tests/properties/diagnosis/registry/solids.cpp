@@ -188,6 +188,9 @@ std::vector<Hypothesis> models_of_solids() {
             "compared with lengths, and must be with 1"),
       gives_one_of("edge-of-other-length", edge_of_other_length,
                    "the answer is right with one of the edges twice, or half, as long"),
+      gives("edges-along-axes", read_as<edges_along_axes>,
+            "the answer is right for an upright box from the corner, as long, deep and high as the edges are "
+            "long: their directions are ignored"),
       gives("edges-as-orthogonal", read_as<edges_as_orthogonal>,
             "the answer is right where a point's coordinates are its projections on the edges: the edges are "
             "taken for orthogonal, a rectangular solid's"),

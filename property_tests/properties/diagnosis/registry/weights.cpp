@@ -132,8 +132,9 @@ std::vector<Hypothesis> models_of_weights() {
             "divided by it"),
       gives("times-volume", line_scaled_by<volume>,
             "t is right divided by the determinant: of origin and direction in the edges' frame one alone is "
-            "divided "
-            "by it"),
+            "divided by it"),
+      gives("unit-in-edges", line_scaled_by<length_in_edges>,
+            "t is a length in the edges' frame: the direction is made a unit vector there, and must not be"),
       gives("edges-doubled", read_as<edges_doubled>,
             "the answer is right for edges of twice the length: coordinates are compared with 2, and must be "
             "with 1"),

@@ -181,6 +181,7 @@ inline constexpr Foreseen foreseen_faults[] = {
     {"cylinder", "first-side-root"},
     {"cylinder", "side-without-ends"},
     {"cylinder", "endless-cylinder"},
+    {"cylinder", "radius-as-height"},
     {"cylinder", "caps-where-side-missed"},
     {"sphere", "inside-decides"},
     {"quadratic", "root-negated"},

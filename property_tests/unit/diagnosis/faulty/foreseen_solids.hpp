@@ -61,6 +61,8 @@ inline constexpr Foreseen foreseen_faults_of_solids[] = {
     {"box", "hits-merged-1e-3"},
     {"parallelepiped", "zero-pivot-missed"},
     {"parallelepiped", "edges-transposed"},
+    {"parallelepiped", "edges-along-axes"},
+    {"parallelepiped", "unit-in-edges"},
     {"box", "transpose-as-inverse"},
     {"box", "bounds-in-world"},
     {"box", "two-corners-in-world"},

@@ -55,6 +55,23 @@ TYPED_TEST(LeavingIn, AnEdgeIsLeftInsideTheNextFaceToo) {
   }
 }
 
+// Found by a ray from so far away that its hit is beside the solid by hundreds of times what that is thick.
+TEST(Leaving, AHitFarBesideAThinParallelepipedComesInsideIt) {
+  const Parallelepiped<float> solid{{31.778744F, -19.683132F, -27.887175F},
+                                    {{{-50.727757F, 23.200308F, 20.901394F},
+                                      {20.25298F, -0.48497197F, 16.696533F},
+                                      {0.4612667F, 4.938184F, 14.603299F}}}};
+  const glm::dvec3 from =
+      glm::dvec3(origin_at<Proven, float>(solid, {-4, -64, -8}, Side::back)) - glm::dvec3(solid.corner);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const glm::dvec3 across =
+        glm::cross(glm::dvec3(solid.edges[(i + 1) % 3]), glm::dvec3(solid.edges[(i + 2) % 3]));
+    const double along = glm::dot(across, from) / glm::dot(across, glm::dvec3(solid.edges[i]));
+    EXPECT_GT(along, 0) << i;
+    EXPECT_LT(along, 1) << i;
+  }
+}
+
 // Found by rays from so far away that their hits, at (0, 0, 0), are beside the box.
 TYPED_TEST(LeavingIn, AHitBesideTheNextFaceComesInsideItToo) {
   using T = TypeParam;

@@ -31,13 +31,13 @@ TEST(LeavingSearch, FindsNoFalseHitOfWhatIsProven) {
 TEST(LeavingSearch, FindsEveryOtherStrategysFailure) {
   const SearchResult result = searched({.cases = 256, .shapes = {"box", "triangle"}});
   for (const Strategy& strategy : strategies()) {
-    const auto is_its = [&](const FalseHit& one) { return one.strategy == &strategy; };
+    const auto is_its = [&](const WrongStart& one) { return one.strategy == &strategy; };
     EXPECT_EQ(std::ranges::count_if(result.failures, is_its), strategy.is_proven ? 0 : 1) << strategy.name;
   }
 }
 
 TEST(LeavingSearch, PrintsEachFailureAsACaseThatTheOracleHits) {
-  for (const FalseHit& failure : searched({.cases = 64, .shapes = {"sphere"}}).failures) {
+  for (const WrongStart& failure : searched({.cases = 64, .shapes = {"sphere"}}).failures) {
     const Case read = read_case(write_case(failure.left));
     EXPECT_EQ(write_case(read), write_case(failure.left));
     EXPECT_GT(std::get<RayAnswer>(oracle::answer(read)).hits.count, 0U) << write_case(read);
@@ -85,6 +85,21 @@ TEST(LeavingSearch, NoticesABrokenPromise) {
   liar.is_proven = true;
   for (StrategyOutcome& outcome : result.outcomes) outcome.strategy = &liar;
   EXPECT_EQ(broken_promises(result).size(), 2U);
+}
+
+TEST(LeavingSearch, ShowsWhatAProvenStrategySkips) {
+  const SearchSettings settings;
+  Strategy liar = *std::ranges::find(strategies(), "fixed", &Strategy::name);
+  liar.is_proven = true;
+  for (std::uint64_t number = 0; number < 2000; ++number) {
+    const Situation from = situation_number(settings, "box", Precision::float32, number);
+    if (depart(liar, from, liar.origin(from)) != oracle::Departure::skipped) continue;
+    const WrongStart shown = simplest(liar, from, never);
+    EXPECT_NE(shown.left.note.find("starts outside of the solid"), std::string::npos) << shown.left.note;
+    EXPECT_EQ(std::get<RayAnswer>(oracle::answer(shown.left)).hits.count, 0U) << write_case(shown.left);
+    return;
+  }
+  FAIL() << "nothing is skipped";
 }
 
 TEST(ASituation, IsLeftToEitherSide) {

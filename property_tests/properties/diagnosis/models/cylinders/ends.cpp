@@ -217,6 +217,22 @@ Answers end_tested_one_way(const Case& one, const Answer& exact) {
   return answers;
 }
 
+Answers radius_as_height(const Case& one, const Answer& /*exact*/) {
+  const std::vector<Case> endless = endless_cylinder(one);
+  if (endless.empty()) return {};
+  double longer = 0;
+  Answers answers =
+      exact_of(with_shape<Cylinder<double>>(one, [&](RayQuestion& /*asked*/, Cylinder<double>& cylinder) {
+        longer = cylinder.rx - cylinder.height;
+        cylinder.height = cylinder.rx;
+        return true;
+      }));
+  const RayAnswer side = hits_of_line(endless.front());
+  const auto hits = side.hits.view();
+  answers.push_back(with_side_hits(one, {hits.begin(), hits.end()}, {.above = longer}).front());
+  return answers;
+}
+
 Answers without_low_rim(const Case& one, const Answer& exact) {
   return without_heights(one, exact, [](double z, double height) { return is_zero(z, height); });
 }

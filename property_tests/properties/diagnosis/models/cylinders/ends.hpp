@@ -44,6 +44,9 @@ void lift(RayQuestion& asked, double by);
 [[nodiscard]] Answers missed_along_axis_inside(const Case& one, const Answer& exact);
 /// @}
 
+/// The radius rx stands for the height: of the whole cylinder, or of its side alone. An answer for each.
+[[nodiscard]] Answers radius_as_height(const Case& one, const Answer& exact);
+
 /// A ray at a right angle to the axis is missed.
 [[nodiscard]] Answers missed_across_axis(const Case& one, const Answer& exact);
 

@@ -2,6 +2,7 @@
 
 #include <glm/vector_relational.hpp>
 
+#include "properties/claims/answers.hpp"
 #include "properties/diagnosis/models/outlines/outline_geometry.hpp"
 
 namespace rayproof::diagnosis {
@@ -31,9 +32,9 @@ double sum_of_sizes(const glm::dvec3& weights) {
 
 }  // namespace
 
-Answers within_weights(const Case& one, double least) {
+Answers within_weights(const Case& one, const Answer& exact, double least) {
   const auto hit = hit_of_plane(one);
-  if (!hit) return {};
+  if (!hit || finds_something(exact) == (least < 0)) return {};
   const auto& [t, weights, area] = *hit;
   const Answer by_all = hit_at(one, t, glm::all(glm::greaterThanEqual(weights, glm::dvec3(least)))).front();
   // The least change first where hits are lost; where they are gained, the tolerance that is met most.

@@ -71,9 +71,11 @@ Answers last_hit_alone(const Case& one, const Answer& exact) {
 Answers nearer_to_zero_decides(const Case& one, const Answer& exact) {
   return from_line_of_hit(one, exact, 2, [&](const Ray<double>& ray, const RayAnswer& line) {
     const auto& t = line.hits.t;
+    const double first = std::get<RayAnswer>(exact).hits.t[0];
+    if (std::abs(t[0]) == std::abs(t[1]))  // of two that are as near either may be taken
+      return Answers{alone_in_interval(ray, line, t[0]), alone_in_interval(ray, line, t[1])};
     const double nearer = std::abs(t[0]) < std::abs(t[1]) ? t[0] : t[1];
-    if (std::get<RayAnswer>(exact).hits.t[0] == nearer) return Answers{};
-    return Answers{alone_in_interval(ray, line, nearer)};
+    return first == nearer ? Answers{} : Answers{alone_in_interval(ray, line, nearer)};
   });
 }
 

@@ -71,6 +71,13 @@ std::optional<double> volume(const Case& one) {
   return solid == nullptr ? std::nullopt : std::optional(triple_product(*solid));
 }
 
+std::optional<double> length_in_edges(const Case& one) {
+  const auto* solid = shape_in<Solid>(one);
+  if (solid == nullptr) return std::nullopt;
+  const auto& [x, y, z] = solid->edges;
+  return glm::length(glm::inverse(glm::dmat3(x, y, z)) * ray_in_object(*ray_question(one)).direction);
+}
+
 std::vector<Case> edges_over_volume(const Case& one) {
   return with_solid(one, [](Solid& solid) {
     const double size = triple_product(solid);

@@ -53,6 +53,8 @@ template <bool (*is_inside)(const FacePoint& point)>
 
 /// The edges' triple product.
 [[nodiscard]] std::optional<double> volume(const Case& one);
+/// The length of the ray's direction in the edges' frame.
+[[nodiscard]] std::optional<double> length_in_edges(const Case& one);
 /// @{ Readings of a parallelepiped: edges divided by their triple product; doubled; halved; from -1 to 1; one
 /// edge turned round; the corner's opposite.
 [[nodiscard]] std::vector<Case> edges_over_volume(const Case& one);

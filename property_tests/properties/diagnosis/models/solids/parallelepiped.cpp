@@ -86,6 +86,17 @@ Answers missed_beside_two_corners(const Case& one, const Answer& exact) {
   return {RayAnswer{}};
 }
 
+std::vector<Case> edges_along_axes(const Case& one) {
+  return with_question(one, [](RayQuestion& asked) {
+    const auto* solid = std::get_if<Parallelepiped<double>>(&asked.shape);
+    if (solid == nullptr) return false;
+    const auto& [x, y, z] = solid->edges;
+    const glm::dvec3 size(glm::length(x), glm::length(y), glm::length(z));
+    asked.shape = Box<double>{solid->corner, solid->corner + size};
+    return true;
+  });
+}
+
 std::vector<Case> edges_transposed(const Case& one) {
   return with_shape<Parallelepiped<double>>(one, [](RayQuestion& /*asked*/, Parallelepiped<double>& solid) {
     auto& e = solid.edges;

@@ -51,7 +51,7 @@ template <int edge, int other>
 /// @{ Readings of a parallelepiped: the box with two of its opposite corners; its bounding box; with each
 /// edge as long as its square; its edges taken for orthogonal, so that projections on them are coordinates;
 /// its corner taken for the centre; its edges for the vertices next to the corner; the matrix of its edges
-/// transposed.
+/// transposed; the box from the corner with the lengths of the edges along x, y and z.
 [[nodiscard]] std::vector<Case> parallelepiped_as_box(const Case& one);
 [[nodiscard]] std::vector<Case> parallelepiped_as_bounds(const Case& one);
 [[nodiscard]] std::vector<Case> edges_times_length(const Case& one);
@@ -59,6 +59,7 @@ template <int edge, int other>
 [[nodiscard]] std::vector<Case> corner_as_centre(const Case& one);
 [[nodiscard]] std::vector<Case> edges_as_vertices(const Case& one);
 [[nodiscard]] std::vector<Case> edges_transposed(const Case& one);
+[[nodiscard]] std::vector<Case> edges_along_axes(const Case& one);
 /// @}
 
 /// What has a volume below 10^power is missed.
