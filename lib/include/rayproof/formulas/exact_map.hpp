@@ -25,7 +25,7 @@ struct UnitFactor {
 };
 
 /// A ray in object space, times the determinant of the map: free of division, by the adjugate of A in place
-/// of its inverse. Both vectors are 0 where the map is singular.
+/// of its inverse. Where the determinant is 0 the vectors mean nothing.
 struct ExactlyMapped {
   using Exact = GrowingExpansion<double>;
   Vec3<Exact> origin;
