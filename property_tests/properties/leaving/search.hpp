@@ -38,8 +38,8 @@ struct WrongStart {
 
 struct SearchResult {
   std::vector<StrategyOutcome> outcomes{};
-  std::vector<WrongStart>
-      failures{};  ///< the simplest of each strategy, and every one of a proven strategy's
+  /// The simplest of each strategy, and every one of a proven strategy's.
+  std::vector<WrongStart> failures{};
   bool was_interrupted = false;
 };
 

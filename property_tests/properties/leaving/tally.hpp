@@ -81,7 +81,7 @@ inline constexpr int least_decade = -7, decades = 16;
   return static_cast<std::size_t>(std::clamp(place, 0.0, decades - 1.0));
 }
 
-/// Of one strategy: by the size of the scene, and the first seed whose ray met what it had left.
+/// Of one strategy: by the size of the scene, and the first situation in which it failed.
 struct StrategyTally {
   std::array<Count, decades> by_size{};
   std::optional<std::uint64_t> first_failure{};  ///< the number of the situation
