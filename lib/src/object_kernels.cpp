@@ -32,7 +32,7 @@ Columned columned(const T* block, std::index_sequence<numbers...> /*of it*/) {
 /// The methods `rounded` by their quick phase, the others as they are: the nearest hit, and where it is sure.
 template <class Method, template <class> class Shape, class T, class N>
 auto meet_shape(const Ray<N>& ray, const Shape<N>& shape) {
-  if constexpr (batch::has_quick_phase<Method>) {
+  if constexpr (has_quick_phase<Method>) {
     using Wide = WiderThan<T, N>;
     return rounded_nearest(ray, Method::enclosed(convert<Wide>(ray), prepared<Method>(convert<Wide>(shape))));
   } else {
@@ -48,7 +48,7 @@ RAYPROOF_FLAT LeastHit<T> meet_all(const Many<RayProblem<Shape, T>>& given, T* o
   using All = Many<RayProblem<Shape, T>>;
   constexpr std::size_t space_numbers = is_in_world ? All::space_numbers : 0;
   const All in = given;  // its own copy: nothing that is written can change it
-  using N = std::conditional_t<batch::has_quick_phase<Method>, Pack<double>, Pack<T>>;
+  using N = std::conditional_t<has_quick_phase<Method>, Pack<double>, Pack<T>>;
   static_assert(lanes % N::size == 0);
   N least(infinity<T>);
   Mask<N> is_sure(true);

@@ -38,14 +38,24 @@ template <class Method, std::floating_point T, template <class> class Shape>
   return corrected.is_sure ? corrected.answer : nearest(ray, Method::roots(ray, shape));
 }
 
+/// The nearest hit by a method's quick phase, or by its exact one where that is in doubt.
+template <class Method, std::floating_point T, template <class> class Shape>
+[[nodiscard]] T quick_hit(const Ray<T>& ray, const Shape<T>& shape) {
+  using W = WiderThan<T>;
+  const auto known = Method::enclosed(convert<W>(ray), prepared<Method>(convert<W>(shape)));
+  const auto quick = rounded_nearest(convert<double>(ray), known);
+  return quick.is_sure ? static_cast<T>(quick.answer) : nearest(ray, Method::exact_roots(ray, shape));
+}
+
 /// The nearest hit of a ray in the shape's own space: the smallest root in [t_min, t_max], or infinity for a
 /// miss; bit for bit `nearest(ray, Method::roots(ray, shape))`. One ray in double is met faster by a
-/// correction; of one in float the roots take no longer, since it is in packs that floats are twice as fast
-/// as doubles.
+/// correction; one in float is not, since it is in packs that floats are twice as fast as doubles.
 template <class Method, std::floating_point T, template <class> class Shape>
 [[nodiscard]] T nearest_hit(const Ray<T>& ray, const Shape<T>& shape) {
   if constexpr (has_correction<Method> && std::same_as<T, double>) {
     return corrected_hit<Method>(ray, shape);
+  } else if constexpr (has_quick_phase<Method>) {
+    return quick_hit<Method>(ray, shape);
   } else {
     return nearest(ray, Method::roots(ray, shape));
   }

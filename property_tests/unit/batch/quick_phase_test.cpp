@@ -3,6 +3,7 @@
 /// phase must leave to exact arithmetic what it cannot know.
 
 #include <rayproof/formulas/bounded_roots.hpp>
+#include <rayproof/nearest_hit.hpp>
 
 #include "unit/batch/hard_numbers.hpp"
 
@@ -39,6 +40,12 @@ int expect_exact_answers() {
     const Roots<T> exact = Method::exact_roots(ray, shape);
     expect_same<T>(Method::roots(ray, shape), exact);
     hits += exact.discriminant < 0 ? 0 : 1;
+
+    // One in four begins, or ends, at one of these numbers, which many a hit is.
+    const Ray<T> ahead{origin, direction, random.one_in(4) ? number() : T(0),
+                       random.one_in(4) ? number() : infinity<T>};
+    const T t = nearest(ahead, Method::exact_roots(ahead, shape));
+    EXPECT_TRUE(same_bits(quick_hit<Method>(ahead, shape), t)) << "for " << t;
 
     const glm::mat<4, 4, T> enlarged{{2, 0, 0, 0}, {0, 3, 0, 0}, {0, 0, 2, 0}, {0, 0, 0, 1}};
     const auto space = object_space(enlarged);

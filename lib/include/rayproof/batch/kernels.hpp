@@ -69,11 +69,6 @@ template <class Method>
 inline constexpr bool runs_in_packs = requires {
   &Method::template roots<AnyNumber>;
 };
-/// Whether a method has a quick phase, which answers most rays, in packs of more digits.
-template <class Method>
-inline constexpr bool has_quick_phase = requires {
-  &Method::template enclosed<AnyNumber>;
-};
 /// Whether there is a quick phase of rays that are in the world. In packs it runs for rays in float alone:
 /// with the digits that doubles take, these kernels would nearly double the time to compile.
 template <class Method>

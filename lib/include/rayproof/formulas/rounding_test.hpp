@@ -133,6 +133,12 @@ template <class To, class From>
   return {convert<To>(roots), To(hit.u), To(hit.v)};
 }
 
+/// Whether a method has a quick phase, which answers most rays, with more digits.
+template <class Method>
+inline constexpr bool has_quick_phase = requires {
+  &Method::template enclosed<double>;
+};
+
 /// What a method's quick phase asks of a shape: what the method can find before the ray is known, or the
 /// shape as it is.
 template <class Method, class Shape>
