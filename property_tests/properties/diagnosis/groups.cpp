@@ -53,8 +53,11 @@ void describe(Diagnosis& group, const Examination& examination) {
   group.is_beyond_rounding = 2 * beyond > static_cast<std::ptrdiff_t>(group.cases.size());
   if (group.cause == nullptr) return describe_unknown(group, examination);
   group.kind = group.cause->kind;
-  const bool has_own_words = examination.is_equation() && !group.cause->of_equation.empty();
-  group.sentence = has_own_words ? group.cause->of_equation : group.cause->sentence;
+  const std::string_view own_words = examination.asks<Quadratic<double>>()         ? group.cause->of_equation
+                                     : examination.asks<PointAndPolygon<double>>() ? group.cause->of_point
+                                                                                   : std::string_view();
+  const bool has_own_words = !own_words.empty();
+  group.sentence = has_own_words ? own_words : group.cause->sentence;
   if (group.cause->measure != nullptr) {
     const double size = mean_of_usual(examination.sizes_of(*group.cause, group.cases));
     group.sentence += fmt::format(", about {:.6g}", group.cause->is_factor ? 1 + size : size);

@@ -83,6 +83,7 @@ struct Hypothesis {
   /// The name of a model from which this one follows: where that is found, too, it alone is shown.
   std::string_view follows_from{};
   std::string_view of_equation{};  ///< the sentence where the cases are quadratic equations, if it is another
+  std::string_view of_point{};     ///< the same of points in polygons
   OfSizes of_sizes = OfSizes::nothing;
   /// It only says where to look: a cure that helps against many a fault that a model may name, or a mark that
   /// many bear.

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <set>
@@ -138,6 +139,25 @@ std::set<std::string> kinds_and_causes() {
 TEST(DiagnosisOfSizes, CallsAFaultOneOfRangeThatNoOrdinarySizeShows) {
   EXPECT_EQ(kinds_and_causes<Fault::limited>(), std::set<std::string>{"range: limit-1e5"});
   EXPECT_EQ(kinds_and_causes<Fault::ignores_t_min>(), std::set<std::string>{"gross: ignores-t-min"});
+}
+
+/// Wrong about points as soon as a vertex is far off, as products of 32 bits are.
+Answer position_in_few_bits(const Case& one) {
+  const auto right = std::get<Position>(oracle::answer(one));
+  const auto& vertices = std::get<PointAndPolygon<double>>(one.question).vertices;
+  const bool overflows = std::ranges::any_of(
+      vertices, [](const auto& vertex) { return std::max(std::abs(vertex.x), std::abs(vertex.y)) > 46340; });
+  if (!overflows) return right;
+  return right == Position::outside ? Position::inside : Position::outside;
+}
+
+TEST(DiagnosisOfSizes, SpeaksOfNoDirectionWhereAPointHasNone) {
+  const Subject subject = subject_of("point_in_polygon", position_in_few_bits);
+  const auto groups = faults_of(subject, *find_property("verdict"), Precision::float64, 100);
+  ASSERT_FALSE(groups.empty());
+  EXPECT_EQ(in_words(groups).substr(0, 14), "smaller-scene ");
+  EXPECT_EQ(groups.front().sentence,
+            "right as soon as the numbers are smaller: a fixed largest number, or products that overflow");
 }
 
 TEST(DiagnosisOfSizes, MakesNoSceneSoSmallThatItsNumbersVanish) {

@@ -161,10 +161,6 @@ bool Examination::is_confirmed(const Hypothesis& model, std::span<const std::siz
   return 2 * cured(*find_hypothesis(model.confirmed_by), some).size() > some.size();
 }
 
-bool Examination::is_equation() const {
-  return !failing_.empty() && std::holds_alternative<Quadratic<double>>(failing_.front().asked.one.question);
-}
-
 std::vector<std::size_t> Examination::cured_alone(std::span<const std::size_t> cases) const {
   std::vector<std::size_t> all;
   if (!patient_.ask_alone) return all;

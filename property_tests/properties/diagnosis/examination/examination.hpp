@@ -83,8 +83,11 @@ class Examination {
   [[nodiscard]] bool finds_nothing(std::span<const std::size_t> cases) const;
   /// Whether it finds nothing in any case, failing or not.
   [[nodiscard]] bool never_finds() const;
-  /// Whether the cases are quadratic equations.
-  [[nodiscard]] bool is_equation() const;
+  /// Whether the cases ask this: quadratic equations, points in polygons.
+  template <class Question>
+  [[nodiscard]] bool asks() const {
+    return !failing_.empty() && std::holds_alternative<Question>(failing_.front().asked.one.question);
+  }
 
   [[nodiscard]] std::size_t failing_count() const { return failing_.size(); }
   [[nodiscard]] std::size_t passing_count() const { return passing_.size(); }

@@ -120,7 +120,7 @@ std::vector<Hypothesis> models_of_coefficients() {
   add_small_a_beside_b<-8, -6, -5, -4, -3, -2>(all);
   add_small_a<-12, -10, -9, -8, -7, -6, -5, -4, -3, -2, -1, 0>(all);
   add_nearly_double_roots<-8, -6, -5, -4, -3, -2>(all);
-  add_small_discriminants<-12, -10, -9, -8, -7, -6, -5, -4, -3, -2>(all);
+  add_small_discriminants<-16, -15, -14, -13, -12, -10, -9, -8, -7, -6, -5, -4, -3, -2>(all);
   add_terms<Product::direction_squared>(all, "term-of-d-d", "d·d");
   add_terms<Product::way_and_direction>(all, "term-of-l-d", "l·d, l = o - center,");
   add_terms<Product::way_squared>(all, "term-of-l-l", "l·l, l = o - center,");

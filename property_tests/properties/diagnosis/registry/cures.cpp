@@ -35,11 +35,13 @@ std::vector<Hypothesis> cures_of_values() {
              "right as soon as the roots are larger: the code takes a small coefficient, or a small "
              "discriminant, for 0, an absolute epsilon")),
       of(OfSizes::limit,
-         exact_cure(
-             "smaller-scene", smaller_scene,
-             "right as soon as the scene is smaller: a fixed largest distance, an overflow, or a direction "
-             "so small beside the shape that it is taken for 0",
-             gross, "right as soon as the roots are smaller: a fixed largest number, or an overflow")),
+         of_point(
+             "right as soon as the numbers are smaller: a fixed largest number, or products that overflow",
+             exact_cure("smaller-scene", smaller_scene,
+                        "right as soon as the scene is smaller: a fixed largest distance, an overflow, or a "
+                        "direction so small beside the shape that it is taken for 0",
+                        gross,
+                        "right as soon as the roots are smaller: a fixed largest number, or an overflow"))),
       of(OfSizes::small,
          following(
              "unit-direction",

@@ -154,6 +154,12 @@ inline constexpr auto rounding = FindingKind::rounding;
   return made;
 }
 
+/// The same with other words where the cases are points in polygons.
+[[nodiscard]] constexpr Hypothesis of_point(std::string_view words, Hypothesis made) {
+  made.of_point = words;
+  return made;
+}
+
 /// The same with what the fault has to do with sizes.
 [[nodiscard]] constexpr Hypothesis of(OfSizes sizes, Hypothesis made) {
   made.of_sizes = sizes;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "properties/diagnosis/models/cylinders/ends.hpp"
+#include "properties/diagnosis/models/hits/wrong_interval.hpp"
 #include "properties/diagnosis/models/solids/loose.hpp"
 #include "properties/diagnosis/models/solids/solid_mistakes.hpp"
 #include "properties/diagnosis/models/space/small_shapes.hpp"
@@ -64,6 +65,19 @@ void add_raised_components(std::vector<Hypothesis>& all) {
    ...);
 }
 
+/// That what lies beyond is missed would be a limit of t: a part of a solid must be hit.
+template <int... power>
+void add_cuts(std::vector<Hypothesis>& all) {
+  const auto cut = [](int tens, Predict predict, bool (*shows_more)(const Case&, const Answer&)) {
+    return of(OfSizes::limit,
+              shown_by(shows_more, gives(kept(fmt::format("slabs-cut-1e{}", tens)), predict,
+                                         kept(fmt::format("a solid is cut off where |t| is about 1e{}: its "
+                                                          "slabs begin with that number in place of infinity",
+                                                          tens)))));
+  };
+  (all.push_back(cut(power, cut_at<power>, has_hit_on_cut<power>)), ...);
+}
+
 template <unsigned axis>
 void add_slab_order(std::vector<Hypothesis>& all, char coordinate) {
   all.push_back(
@@ -107,6 +121,7 @@ std::vector<Hypothesis> models_of_slab_orders() {
   all.push_back(gives_one_of("one-by-transposed", one_by_transposed,
                              "of origin and direction one goes into the edges' frame by the transposed "
                              "matrix: rows are taken for columns"));
+  add_cuts<30, 20, 12, 10, 9, 8, 7, 6, 5, 4, 3, 2>(all);
   add_raised_components<-12, -10, -9, -8, -7, -6, -5, -4, -3, -2>(all);
   add_loose<-8, -7, -6, -5, -4, -3, -2>(all);
   add_thickened<-8, -7, -6, -5, -4, -3, -2, -1>(all);

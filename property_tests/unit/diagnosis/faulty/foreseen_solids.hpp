@@ -7,6 +7,7 @@
 namespace rayproof::faulty {
 
 inline constexpr Foreseen foreseen_faults_of_solids[] = {
+    {"box", "slabs-cut-1e2"},
     {"box", "square-beside-radius"},
     {"parallelepiped", "solid-beyond-small-sphere"},
     {"parallelepiped", "volume-without-abs"},

@@ -71,6 +71,21 @@ Answers begins_at(const Case& one, double t_min) {
   return {hits_where(hits_of_line(one), [&](double t) { return t_min < t && t <= asked->ray.t_max; })};
 }
 
+Answers cut_at(const Case& one, double end) {
+  const bool has_slabs =
+      shape_in<Box<double>>(one) != nullptr || shape_in<Parallelepiped<double>>(one) != nullptr;
+  const HitList line = has_slabs ? hits_of_line(one).hits : HitList();
+  if (line.count == 0) return {};
+  const double entry = line.t[0], exit = line.t[line.count - 1];
+  if (-end <= entry && exit <= end) return {};
+  RayAnswer cut;
+  if (entry <= end && exit >= -end) {
+    cut.hits.push_back(std::max(entry, -end));
+    cut.hits.push_back(std::min(exit, end));
+  }
+  return {hits_where(cut, [&](double t) { return in_interval(ray_question(one)->ray, t); })};
+}
+
 Answers offset_by(const Answer& exact, double length) {
   const auto* given = std::get_if<RayAnswer>(&exact);
   if (given == nullptr || given->hits.count == 0) return {};

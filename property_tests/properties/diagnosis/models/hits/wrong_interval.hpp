@@ -41,6 +41,23 @@ template <int power>
   });
 }
 
+/// The slabs of a solid begin with the interval [-end, end] in place of the whole line: what lies beyond is
+/// cut off there, or missed.
+[[nodiscard]] Answers cut_at(const Case& one, double end);
+template <int power>
+[[nodiscard]] Answers cut_at(const Case& one, const Answer& /*exact*/) {
+  return cut_at(one, std::pow(10.0, power));
+}
+/// Whether a hit is given so where the solid is cut off.
+template <int power>
+[[nodiscard]] bool has_hit_on_cut(const Case& one, const Answer& exact) {
+  const double end = std::pow(10.0, power);
+  return std::ranges::any_of(cut_at<power>(one, exact), [&](const Answer& answer) {
+    return std::ranges::any_of(std::get<RayAnswer>(answer).hits.view(),
+                               [&](double t) { return std::abs(t) == end; });
+  });
+}
+
 /// Every t is less, or greater, by 10^power.
 [[nodiscard]] Answers offset_by(const Answer& exact, double length);
 template <int power>
