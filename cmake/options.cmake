@@ -10,6 +10,7 @@ endif()
 
 option(RAYPROOF_LAB "Build the laboratory (oracle, property tests, pictures, report), not just the library"
        ${PROJECT_IS_TOP_LEVEL})
+option(RAYPROOF_INSTALL "Install the library along with the project that builds it" ${PROJECT_IS_TOP_LEVEL})
 option(RAYPROOF_PEERS "Build the programs that put other people's libraries on trial (check --subject)" OFF)
 option(RAYPROOF_WERROR "Treat warnings as errors" OFF)
 

@@ -46,8 +46,7 @@ inline constexpr Bound axes_error{.measured = 4.30, .promised = 8};
 /// w = (eye - center)/|eye - center|, u = (up × w)/|up × w|, v = w × u.
 ///
 /// Every component is within `axes_error` of the true one; NaN or infinite where `up` is along w, or a square
-/// overflows. Source: R. Bán, "Számítógépes grafika: Raycasting",
-/// 2022.
+/// overflows. Source: R. Bán, "Számítógépes grafika: Raycasting", 2022.
 template <class T>
 [[nodiscard]] CameraAxes<T> axes(const Camera<T>& camera) {
   step<T>("Look along -w, from the eye to the centre",

@@ -40,7 +40,8 @@ class ObjectList {
   std::size_t add(Shape shape) {
     return add_at(std::move(shape), std::nullopt);
   }
-  /// The same under an affine object-to-world matrix (last row 0 0 0 1). What a singular one makes is missed.
+  /// The same under an affine object-to-world matrix (last row 0 0 0 1). What a singular one makes is missed,
+  /// and so may be what one makes whose determinant over- or underflows (object_space).
   template <class Shape>
   std::size_t add(Shape shape, const glm::mat<4, 4, T>& object_to_world) {
     return add_at(std::move(shape), object_space<T>(object_to_world));
@@ -52,8 +53,9 @@ class ObjectList {
     return objects::nearest_of<Choice>(ray, near(ray));
   }
   /// The nearest hit of each of many rays, bit for bit as above: its t, infinity for a miss, and the object's
-  /// index, `no_object` for a miss. Both arrays are as long as the batch, which has no matrix. In packs of
-  /// rays, one object after the other: of up to some ten objects many times faster than ray by ray.
+  /// index, `no_object` for a miss, and for a hit whose t overflows. Both arrays are as long as the batch,
+  /// which has no matrix. In packs of rays, one object after the other: of up to some ten objects many times
+  /// faster than ray by ray.
   void nearest(const RayBatch<T>& rays, std::span<T> t, std::span<std::uint32_t> index,
                InstructionSet set = preferred_instruction_set()) const {
     objects::nearest_of_many<Choice>(rays, t, index, set, [this](const auto& meet) { this->for_each(meet); });

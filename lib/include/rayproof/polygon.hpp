@@ -39,9 +39,9 @@ template <class To, class From>
 
 /// A point and a closed polygon of the plane by the even-odd rule.
 ///
-/// Units of the contracts. *Verdict* is the point's distance from the nearest side in units of ε·(|point|
-/// + P), P the largest |vᵢ|; 0 for a point on the boundary. *Domain* speaks of all
-/// numbers of the case that are not 0.
+/// Units of the contracts. *Verdict* is the point's distance from the nearest side in units of ε·(|point| +
+/// P), P the largest |vᵢ|; 0 for a point on the boundary. *Domain* speaks of all numbers of the case that are
+/// not 0.
 template <class T>
 struct PointAndPolygon {
   Vec2<T> point;

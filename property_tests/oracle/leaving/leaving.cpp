@@ -108,6 +108,9 @@ SurfacePiece piece_of(const Shape& shape, const glm::dvec3& normal) {
 int climb(const RayQuestion& ray, const SurfacePiece& piece) { return exact_sign(ray, piece, Asked::slope); }
 
 Departure depart(const RayQuestion& ray, const SurfacePiece& piece, spawn::Side side) {
+  const glm::dvec3& origin = ray.ray.origin;
+  if (!std::isfinite(origin.x) || !std::isfinite(origin.y) || !std::isfinite(origin.z))
+    return Departure::no_origin;
   const bool is_inward = side == spawn::Side::back && has_inside(ray.shape);
   if (is_inward) {
     const auto is_inside = [&](const SurfacePiece& one) { return exact_sign(ray, one, Asked::value) < 0; };

@@ -39,7 +39,8 @@ struct SurfacePiece {
 enum class Departure {
   clear,      ///< meets nothing that it should not
   false_hit,  ///< meets the shape it has left, at t >= 0
-  skipped     ///< was to start inside a solid, and starts beyond it: its far side is missed
+  skipped,    ///< was to start inside a solid, and starts beyond it: its far side is missed
+  no_origin   ///< starts nowhere: a coordinate of the origin is NaN or infinite
 };
 
 /// Judges the ray, whose direction leaves the piece for `side` at the foot of the hit, by its rounded origin.

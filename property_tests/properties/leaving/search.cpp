@@ -43,11 +43,11 @@ Started count(StrategyTally& tally, const Strategy& strategy, const Situation& s
   ++counted.rays;
   const double length = std::sqrt(dot(offset, offset));
   counted.offsets.add(length / situation.extent.size);
-  const RayQuestion ray = next_ray(strategy, situation, origin);
-  const spawn::Side side = situation.what.side;
-  const oracle::Departure departure = oracle::depart(ray, situation.piece, side);
-  const bool is_inward = side == spawn::Side::back && oracle::has_inside(ray.shape);
-  if (departure == oracle::Departure::clear && !is_inward && std::isfinite(origin.x + origin.y + origin.z)) {
+  const oracle::Departure departure = depart(strategy, situation, origin);
+  const bool is_inward =
+      situation.what.side == spawn::Side::back && oracle::has_inside(situation.question().shape);
+  if (departure == oracle::Departure::clear && !is_inward) {
+    const RayQuestion ray = next_ray(strategy, situation, origin);
     const Case one{.precision = situation.precision(), .question = ray};
     const Answer answer = plain_method_of(shape_name(ray.shape))->answer(one);
     counted.misanswered += std::get<RayAnswer>(answer).hits.count > 0;
@@ -57,7 +57,8 @@ Started count(StrategyTally& tally, const Strategy& strategy, const Situation& s
     counted.thickest_skipped =
         std::max(counted.thickest_skipped, situation.extent.width / situation.extent.size);
   }
-  counted.false_hits += departure == oracle::Departure::false_hit;
+  const bool has_no_origin = departure == oracle::Departure::no_origin;
+  counted.false_hits += departure == oracle::Departure::false_hit || has_no_origin;
   if (is_failure(strategy, departure)) tally.fail(number);
   return {length, departure == oracle::Departure::clear};
 }

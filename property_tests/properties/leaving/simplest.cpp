@@ -26,6 +26,11 @@ std::optional<Situation> failing(const Strategy& strategy, const Departing& foun
   return std::nullopt;
 }
 
+std::string in_words(oracle::Departure way) {
+  if (way == oracle::Departure::no_origin) return "starts nowhere";
+  return way == oracle::Departure::skipped ? "starts outside of the solid" : "meets it again";
+}
+
 std::string numbers(const glm::dvec3& v) { return fmt::format("[{}, {}, {}]", v.x, v.y, v.z); }
 
 }  // namespace
@@ -45,8 +50,7 @@ WrongStart simplest(const Strategy& strategy, const Situation& found, const std:
   failure.left.note =
       fmt::format("{} leaves the {} to the {} from its hit at {} by the ray {} + t*{}, and {}", strategy.name,
                   topic_of(from.what.incoming), from.what.side == spawn::Side::front ? "front" : "back",
-                  numbers(from.from.hit), numbers(ray.origin), numbers(ray.direction),
-                  way == oracle::Departure::skipped ? "starts outside of the solid" : "meets it again");
+                  numbers(from.from.hit), numbers(ray.origin), numbers(ray.direction), in_words(way));
   return failure;
 }
 

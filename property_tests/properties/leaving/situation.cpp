@@ -131,9 +131,9 @@ std::optional<Situation> situation_of(Departing what) {
   const Left left = in_precision(what.incoming.precision,
                                  [&]<class T>(T) { return leave_in<T>(question, hits.t.at(what.hit)); });
   Situation made{std::move(what), left.from};
-  if (!is_finite(made.from.hit) || !is_finite(made.from.point) || !is_finite(made.from.normal) ||
-      !is_finite(left.own_normal) || made.what.direction == glm::dvec3(0))
-    return std::nullopt;
+  if (!is_finite(made.from.hit) || made.what.direction == glm::dvec3(0)) return std::nullopt;
+  made.has_normal = is_finite(made.from.point) && is_finite(made.from.normal) && is_finite(left.own_normal);
+  if (!made.has_normal && !oracle::has_inside(made.question().shape)) return std::nullopt;
   made.piece = oracle::piece_of(made.question().shape, left.own_normal);
   made.extent = oracle::extent_of(made.question(), made.from.hit);
   if (!(made.extent.size >= smallest_scene && made.extent.size <= largest_scene)) return std::nullopt;

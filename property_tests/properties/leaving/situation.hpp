@@ -30,6 +30,7 @@ struct Situation {
   oracle::SurfacePiece piece{};
   oracle::SceneExtent extent{};
   bool is_turned_back = false;  ///< `from` looks to the back
+  bool has_normal = true;       ///< the library found a point and a normal to leave it by
 
   [[nodiscard]] Precision precision() const { return what.incoming.precision; }
   [[nodiscard]] const RayQuestion& question() const { return std::get<RayQuestion>(what.incoming.question); }
@@ -56,7 +57,8 @@ inline constexpr double thinnest_slanted = 32;
 /// go back out of it.
 inline constexpr double thinnest_inside = 1024;
 
-/// The situation, or nothing where the method has no such hit, or the numbers do not suffice for a normal.
+/// The situation, or nothing where the method has no such hit, or a flat shape no area and so no normal. A
+/// solid always has one: where the library finds none, every strategy fails.
 [[nodiscard]] std::optional<Situation> situation_of(Departing what);
 
 /// The families of a topic whose scenes have lengths that a program would have.

@@ -33,17 +33,18 @@ const std::vector<Strategy>& strategies() {
 RayQuestion next_ray(const Strategy& strategy, const Situation& from, const glm::dvec3& origin) {
   RayQuestion ray = from.leaves_from(strategy.moves_to_surface ? from.from.point : from.from.hit);
   const int outward = from.what.side == spawn::Side::front ? 1 : -1;
-  if (oracle::climb(ray, from.piece) * outward < 0) ray.ray.direction = -ray.ray.direction;
+  if (from.has_normal && oracle::climb(ray, from.piece) * outward < 0) ray.ray.direction = -ray.ray.direction;
   ray.ray.origin = origin;
   return ray;
 }
 
 oracle::Departure depart(const Strategy& strategy, const Situation& from, const glm::dvec3& origin) {
+  if (!from.has_normal) return oracle::Departure::no_origin;
   return oracle::depart(next_ray(strategy, from, origin), from.piece, from.what.side);
 }
 
 bool is_failure(const Strategy& strategy, oracle::Departure departure) {
-  return departure == oracle::Departure::false_hit ||
+  return departure == oracle::Departure::false_hit || departure == oracle::Departure::no_origin ||
          (departure == oracle::Departure::skipped && strategy.is_proven);
 }
 

@@ -27,8 +27,8 @@ struct Strategy {
 [[nodiscard]] oracle::Departure depart(const Strategy& strategy, const Situation& from,
                                        const glm::dvec3& origin);
 
-/// Whether that is a failure to show: a false hit of any strategy; what is skipped only of one that is
-/// proven, since the others promise nothing of what is thinner than their offset.
+/// Whether that is a failure to show: a false hit of any strategy, or no origin at all; what is skipped only
+/// of one that is proven, since the others promise nothing of what is thinner than their offset.
 [[nodiscard]] bool is_failure(const Strategy& strategy, oracle::Departure departure);
 
 }  // namespace rayproof::leaving

@@ -52,7 +52,7 @@ class Lengths {
 /// Of one strategy, in scenes of about one size.
 struct Count {
   std::uint64_t rays = 0;
-  std::uint64_t false_hits = 0;
+  std::uint64_t false_hits = 0;  ///< and rays without an origin
   std::uint64_t skipped = 0;
   std::uint64_t misanswered = 0;  ///< clear by the exact answer, and the shape's plain method reports a hit
   Lengths offsets{};              ///< from where the strategy starts, relative to the size of the scene

@@ -13,6 +13,7 @@
 #include <cstring>
 #include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace rayproof::program {
@@ -22,17 +23,26 @@ using std::chrono::milliseconds;
 
 [[noreturn]] void fail(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
 
-/// The two ends of a pipe, to read and to write; closed in every program that is started later.
-std::array<int, 2> make_pipe() {
-  std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail("a pipe cannot be made");
-  return ends;
-}
-
 void close_once(int& file) {
   if (file >= 0) ::close(file);
   file = -1;
 }
+
+/// The two ends of a pipe, to read and to write, closed in every program that is started later; and here,
+/// too, but for the one that is taken.
+struct PipeEnds {
+  std::array<int, 2> ends{};
+
+  PipeEnds() {
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail("a pipe cannot be made");
+  }
+  PipeEnds(const PipeEnds&) = delete;
+  PipeEnds& operator=(const PipeEnds&) = delete;
+  ~PipeEnds() {
+    for (int& end : ends) close_once(end);
+  }
+  [[nodiscard]] int take(std::size_t which) { return std::exchange(ends.at(which), -1); }
+};
 
 /// What the end of a program's standard error is kept of; and how much of it is read at once, so that one
 /// that writes much need not wait for whoever reads.
@@ -66,16 +76,15 @@ std::string in_place_of_shell(const std::string& command) {
 Child::Child(const std::string& command) {
   static const auto ignore = std::signal(SIGPIPE, SIG_IGN);  // a child that has ended is no reason to end
   (void)ignore;
-  std::array<int, 2> input = make_pipe(), output = make_pipe(), errors = make_pipe();
+  PipeEnds input, output, errors;
   const std::string line = in_place_of_shell(command);
   id_ = ::fork();
   if (id_ < 0) fail("no process can be started");
-  if (id_ == 0) become(line.c_str(), input[0], output[1], errors[1]);
+  if (id_ == 0) become(line.c_str(), input.ends[0], output.ends[1], errors.ends[1]);
   ::setpgid(id_, id_);  // whoever is first
-  for (const int theirs : {input[0], output[1], errors[1]}) ::close(theirs);
-  input_ = input[1];
-  output_ = output[0];
-  errors_ = errors[0];
+  input_ = input.take(1);
+  output_ = output.take(0);
+  errors_ = errors.take(0);
   for (const int file : {input_, output_, errors_}) never_block(file);
   (void)::fcntl(errors_, F_SETPIPE_SZ, static_cast<int>(block_of_errors));  // where the system has room
 }

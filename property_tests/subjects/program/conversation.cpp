@@ -128,7 +128,7 @@ bool Conversation::take_line(Round& round, std::string_view line) {
     const auto id = reply.id();
     if (!id) return refuse("wrote a line without the id of a case");
     const std::uint64_t i = *id - first_id_;
-    if (*id<first_id_&& * id> 0) {
+    if (*id > 0 && *id < first_id_) {
       program_->note_repeat();
       return refuse("answered a case that was answered before");
     }

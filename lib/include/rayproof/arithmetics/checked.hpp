@@ -75,8 +75,8 @@ struct CheckedMask {
 /// Whether z, the result of an operation on plain numbers, is not rounded.
 ///
 /// What IEEE 754 calls an invalid operation or a division by zero rounds nothing: NaN and infinity are its
-/// exact results, and a kernel that lets them decide owes them to its formula. An overflow is rounded, and so
-/// counts a product or quotient so small that its rest might underflow.
+/// exact results, and a kernel that lets them decide has them from its formula. An overflow is rounded, and
+/// so counts a product or quotient so small that its rest might underflow.
 namespace exactness {
 
 template <class T>

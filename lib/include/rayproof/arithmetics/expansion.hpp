@@ -3,10 +3,9 @@
 /// Expansions: sums, differences and products of floating-point numbers with no rounding at all.
 ///
 /// An expansion is an unevaluated sum of floating-point terms that do not overlap, smallest first, none of
-/// them 0.
-/// `+ - *` between expansions are exact as long as no term over- or underflows, so a formula without division
-/// or root has its exact value, and the sign of that value is the sign of the last term. Source: J. R.
-/// Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997.
+/// them 0. `+ - *` between expansions are exact as long as no term over- or underflows, so a formula without
+/// division or root has its exact value, and the sign of that value is the sign of the last term. Source: J.
+/// R. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997.
 
 #include <array>
 #include <cstddef>

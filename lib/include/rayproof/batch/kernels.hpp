@@ -34,8 +34,8 @@ struct Lanes<Quadratic<T>> {
 };
 
 /// The columns of origin and direction, of t_min and t_max where they differ from ray to ray (null where they
-/// do not), and what the rays have in common. Results: the nearest hit (infinity for a miss), u, v (written
-/// for flat shapes alone), the discriminant and both roots.
+/// do not), and what the rays have in common. Results: the nearest hit (infinity for a miss), u, v (of
+/// shapes that are not flat the lower root, which says nothing), the discriminant and both roots.
 template <template <class> class Shape, class T>
 struct Lanes<RayProblem<Shape, T>> {
   using Number = T;

@@ -9,9 +9,8 @@ namespace rayproof::box {
 
 /// Slabs with a precomputed 1/d and no thought of d = 0, **as printed** in the source.
 ///
-/// Where d = 0 the products are ∞ and -∞, which serve, unless the
-/// origin is in a face's plane: 0·∞ is NaN, with which every comparison is false, and the ray in the face is
-/// lost. SlabsInverse is the mended form.
+/// Where d = 0 the products are ∞ and -∞, which serve, unless the origin is in a face's plane: 0·∞ is NaN,
+/// with which every comparison is false, and the ray in the face is lost. SlabsInverse is the mended form.
 struct PrintedSlabs {
   static constexpr const char* name = "printed_slabs";
   static constexpr const char* title = "as printed: 0·∞ for a ray in a face";

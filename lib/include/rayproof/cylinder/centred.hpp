@@ -29,8 +29,7 @@ struct Centred {
 
     step<T>("Find the point nearest the axis",
             "t_c is where the ray comes nearest the axis, seen in the scaled plane. l leads from the axis to "
-            "that "
-            "point and is perpendicular to d there.");
+            "that point and is perpendicular to d there.");
     const T per_a = named("1/a", T(1) / (dx * dx + dy * dy));
     const T t_c = named("t_c", -(fx * dx + fy * dy) * per_a);
     const T lx = named("l.x", fx + t_c * dx);

@@ -8,8 +8,8 @@ namespace rayproof::cylinder {
 
 /// The side by the quadratic formula with t in [0, 1] and no caps, **as printed** in the source.
 ///
-/// A t in [0, 1] is a segment's, though the text calls it a ray,
-/// and the ends of a closed cylinder are not named. Textbook is the mended form.
+/// A t in [0, 1] is a segment's, though the text calls it a ray, and the ends of a closed cylinder are not
+/// named. Textbook is the mended form.
 struct Printed {
   static constexpr const char* name = "printed";
   static constexpr const char* title = "as printed: t in [0, 1], no caps";

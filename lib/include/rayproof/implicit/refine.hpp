@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 /// The last pass over what a search has found: enclosures that touch become one, and an undecided one is
-/// looked at from a little further away, where a root on a cut lies in the midst.
+/// looked at from a little further away, where a root on a cut lies in the middle.
 
 #include <algorithm>
 #include <rayproof/implicit/newton.hpp>

@@ -20,7 +20,7 @@ template <std::floating_point P>
   return scale_exponent(P(1), max(-most, min(most, apart + 2)));
 }
 
-/// What a search came to, and how many evaluations of f it took.
+/// What a search came to, and how many evaluations of f its steps took; a few at ends of ranges are extra.
 template <class T>
 struct Search {
   EnclosedRoots<T> roots;

@@ -18,7 +18,7 @@ class BoundsTree {
  public:
   explicit BoundsTree(const std::vector<Bounds>& boxes);
 
-  /// Calls `meet(i)` for each box i that the ray meets, the nearer ones first by and large. It gives back the
+  /// Calls `meet(i)` for each box i that the ray meets, mostly the nearer ones first. It gives back the
   /// t beyond which nothing matters any more: the nearest hit's so far, or NaN to end the search.
   template <class Meet>
   void visit(const RayAgainstBoxes& ray, double t_max, Meet&& meet) const {

@@ -28,13 +28,12 @@ struct Bounds {
 };
 
 /// A number, or a vector of such, and how far the exact one may be from it.
-using Enclosed = Bounded<double>;
-using EnclosedPoint = Vec3<Enclosed>;
+using BoundedPoint = Vec3<Bounded<double>>;
 
-[[nodiscard]] inline double not_above(const Enclosed& x) {
+[[nodiscard]] inline double not_above(const Bounded<double>& x) {
   return std::nextafter(x.value - x.error, -HUGE_VAL);
 }
-[[nodiscard]] inline double not_below(const Enclosed& x) {
+[[nodiscard]] inline double not_below(const Bounded<double>& x) {
   return std::nextafter(x.value + x.error, HUGE_VAL);
 }
 
@@ -45,10 +44,10 @@ class Hull {
   /// `space`: that of the object, of which the map to the world is looked at; nothing for the world itself.
   explicit Hull(const std::optional<ObjectSpace<double>>& space) : space_(space) {}
 
-  void add(const EnclosedPoint& p) {
-    const EnclosedPoint image = space_ ? image_of(p) : p;
+  void add(const BoundedPoint& p) {
+    const BoundedPoint image = space_ ? image_of(p) : p;
     int axis = 0;
-    for (const Enclosed* x : {&image.x, &image.y, &image.z}) {
+    for (const Bounded<double>* x : {&image.x, &image.y, &image.z}) {
       const double low = not_above(*x), high = not_below(*x);
       bounds_.low[axis] = std::min(bounds_.low[axis], low);
       bounds_.high[axis] = std::max(bounds_.high[axis], high);
@@ -58,9 +57,9 @@ class Hull {
   }
 
   /// The eight corners of a box along the axes.
-  void add_box(const EnclosedPoint& low, const EnclosedPoint& high) {
+  void add_box(const BoundedPoint& low, const BoundedPoint& high) {
     for (unsigned corner = 0; corner < 8; ++corner) {
-      const auto of = [&](unsigned axis, const Enclosed& lower, const Enclosed& upper) {
+      const auto of = [&](unsigned axis, const Bounded<double>& lower, const Bounded<double>& upper) {
         return (corner >> axis & 1U) != 0 ? upper : lower;
       };
       add({of(0, low.x, high.x), of(1, low.y, high.y), of(2, low.z, high.z)});
@@ -68,7 +67,7 @@ class Hull {
   }
 
   /// No box is to be found: of a shape without points.
-  void forgo() { is_sound_ = false; }
+  void give_up() { is_sound_ = false; }
 
   /// Nothing where a number is too large to reason about, or NaN.
   [[nodiscard]] std::optional<Bounds> bounds() const {
@@ -77,8 +76,8 @@ class Hull {
   }
 
  private:
-  [[nodiscard]] EnclosedPoint image_of(const EnclosedPoint& p) const {
-    const auto exactly = [](const glm::dvec3& v) { return convert<Enclosed>(v); };
+  [[nodiscard]] BoundedPoint image_of(const BoundedPoint& p) const {
+    const auto exactly = [](const glm::dvec3& v) { return convert<Bounded<double>>(v); };
     return p.x * exactly(space_->column_x) + p.y * exactly(space_->column_y) +
            p.z * exactly(space_->column_z) + exactly(space_->translation);
   }

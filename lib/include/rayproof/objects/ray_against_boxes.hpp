@@ -12,8 +12,9 @@ namespace rayproof::objects {
 ///
 /// The slabs of a box are computed as (bound - o)·(1/d): three roundings, each off by a factor of at most
 /// 1 ± 2^-53 and, beyond 2^-1022, by 2^-1074. Widening t by 2^-50 of itself and by 2^-1000 outweighs that, so
-/// that `entry` never says "none" of a box that the exact ray meets. (Numbers beyond 2^500, and directions
-/// below 2^-500 that are not 0, are taken as no constraint.)
+/// that `entry` never says "none" of a box that the exact ray meets. The rounding of bound ± margin is less
+/// than the margin: the box is met that was given, and not quite the one that the margin makes. (Numbers
+/// beyond 2^500, and directions below 2^-500 that are not 0, are taken as no constraint.)
 class RayAgainstBoxes {
  public:
   /// Every box is taken to be larger by `margin` on each side.

@@ -101,9 +101,14 @@ template <std::floating_point T>
   return flat;
 }
 
-/// With the normal from the exact edges, so that it is good to its last digits however thin the polygon.
+/// With the normal from the exact edges, so that it is good to its last digits however thin the polygon. Of
+/// one without vertices all is NaN.
 template <std::floating_point T>
 [[nodiscard]] Flat<T> flat_of(const Polygon<T>& polygon) {
+  if (polygon.vertices.empty()) {
+    const vec3<T> nowhere(not_a_number<T>);
+    return detail::plane_through<T>(nowhere, nowhere);
+  }
   return detail::plane_through<T>(polygon.vertices.front(), detail::area_vector<T>(polygon.vertices));
 }
 template <std::floating_point T>

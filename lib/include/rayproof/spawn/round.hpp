@@ -55,9 +55,11 @@ template <class T>
   const T off_side = (T(1) - from_axis) * from_axis;  // times the gradient's length
   const T off_bottom = abs(p.z), off_top = abs(cylinder.height - p.z), off_cap = min(off_bottom, off_top);
   const Mask<T> is_top = off_top < off_bottom;
-  const Mask<T> is_cap =
-      (off_cap * off_cap) * (gradient_x * gradient_x + gradient_y * gradient_y) < off_side * off_side &&
-      T(cylinder.capped ? 1 : 0) > T(0);
+  // On the axis itself, or so near that squares vanish, both distances from the side are 0.
+  const T squared_gradient = gradient_x * gradient_x + gradient_y * gradient_y;
+  const Mask<T> is_nearer_cap =
+      from_axis == T(0) || (off_cap * off_cap) * squared_gradient < off_side * off_side;
+  const Mask<T> is_cap = is_nearer_cap && T(cylinder.capped ? 1 : 0) > T(0);
 
   const T stretch = max(per_x, per_y);
   const T inside = T(1) - (resolution.x + resolution.y) * stretch - T(16 * eps);

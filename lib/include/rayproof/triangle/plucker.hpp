@@ -49,8 +49,7 @@ struct Pluecker {
 
     step<T>("Meet the plane of the triangle",
             "t is n·a, |n| times the distance to the plane, over the progress n·d; U, V and W over their sum "
-            "are the "
-            "barycentric coordinates.");
+            "are the barycentric coordinates.");
     // By the edges, not as U + V + W: for a small far triangle those cancel.
     const vec3<T> n = named("n", cross(triangle.b - triangle.a, triangle.c - triangle.a));
     const T along = named("n·d", dot(n, d));

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <rayproof/spawn.hpp>
 
 namespace rayproof::spawn {
@@ -95,6 +96,10 @@ TYPED_TEST(LeavingIn, ACylinderIsLeftThroughItsSideAndItsCaps) {
   EXPECT_LT((origin_at<Proven, T>(tube, {1, 0, 1}, Side::back).x), 1);
   EXPECT_GT((origin_at<Proven, T>(tube, {T(0.5), 0, 3}).z), 3);
   EXPECT_LT((origin_at<Proven, T>(tube, {T(0.5), 0, 0}).z), 0);
+  for (const T x : {T(0), std::numeric_limits<T>::min()}) {  // of which the square is 0
+    EXPECT_GT((origin_at<Proven, T>(tube, {x, 0, 3}).z), 3) << "at a cap's centre";
+    EXPECT_LT((origin_at<Proven, T>(tube, {x, 0, 0}, Side::front).z), 0) << "at a cap's centre";
+  }
   const vec3<T> in = origin_at<Proven, T>(tube, {1, 0, 3}, Side::back);  // on the rim
   EXPECT_LT(in.x, 1);
   EXPECT_LT(in.z, 3);
@@ -141,6 +146,10 @@ TYPED_TEST(LeavingIn, NaNGivesNoOrigin) {
   const vec3<T> nowhere(std::numeric_limits<T>::quiet_NaN());
   EXPECT_TRUE(std::isnan(origin_at<Proven, T>(Sphere<T>{{0, 0, 0}, 1}, nowhere).x));
   EXPECT_TRUE(std::isnan(origin_at<Fixed, T>(Sphere<T>{{0, 0, 0}, 1}, nowhere).x));
+  const Triangle<T> in_a_line{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+  EXPECT_TRUE(std::isnan(origin_at<IntegerOffset, T>(in_a_line, {1, 0, 0}).y)) << "it has no normal";
+  EXPECT_TRUE(std::isnan(leave(surface_of(Polygon<T>{}), vec3<T>{1, 0, 0}).normal.x))
+      << "nor has one of nothing";
 }
 
 TEST(TheFixedOffset, IsTenToTheMinusFour) {

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
+
 #include "case/reader.hpp"
 #include "case/writer.hpp"
 #include "oracle/oracle.hpp"
@@ -100,6 +103,20 @@ TEST(LeavingSearch, ShowsWhatAProvenStrategySkips) {
     return;
   }
   FAIL() << "nothing is skipped";
+}
+
+/// A strategy that is wrong on purpose: it starts nowhere.
+TEST(LeavingSearch, CountsARayWithoutAnOriginAsAFailure) {
+  Strategy lost = *std::ranges::find(strategies(), "fixed", &Strategy::name);
+  lost.origin = [](const Situation&) { return glm::dvec3(std::numeric_limits<double>::quiet_NaN()); };
+  Situation from = situation_number({}, "cylinder", Precision::float32, 1);
+  EXPECT_EQ(depart(lost, from, lost.origin(from)), oracle::Departure::no_origin);
+  EXPECT_TRUE(is_failure(lost, oracle::Departure::no_origin));
+  const WrongStart shown = simplest(lost, from, never);
+  EXPECT_TRUE(shown.left.note.ends_with("starts nowhere")) << shown.left.note;
+  from.has_normal = false;  // as a solid's whose normal is NaN
+  const Strategy& nothing = *std::ranges::find(strategies(), "nothing", &Strategy::name);
+  EXPECT_EQ(depart(nothing, from, nothing.origin(from)), oracle::Departure::no_origin);
 }
 
 TEST(ASituation, IsLeftToEitherSide) {
