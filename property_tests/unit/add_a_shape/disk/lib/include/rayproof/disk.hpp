@@ -37,8 +37,8 @@ template <class T>
 }
 
 /// The cube around the ball of its radius holds it.
-inline void enclose(objects::Hull& hull, const Disk<objects::Enclosed>& disk) {
-  const objects::EnclosedPoint reach{disk.radius, disk.radius, disk.radius};
+inline void enclose(objects::Hull& hull, const Disk<Bounded<double>>& disk) {
+  const objects::BoundedPoint reach{disk.radius, disk.radius, disk.radius};
   hull.add_box(disk.center - reach, disk.center + reach);
 }
 
