@@ -89,12 +89,13 @@ Child::Child(const std::string& command) {
   (void)::fcntl(errors_, F_SETPIPE_SZ, static_cast<int>(block_of_errors));  // where the system has room
 }
 
+// Until it is waited for here, its number is no other group's.
 Child::~Child() {
   ::kill(-id_, SIGKILL);
   close_once(input_);
   close_once(output_);
   close_once(errors_);
-  if (!status_) ::waitpid(id_, nullptr, 0);
+  ::waitpid(id_, nullptr, 0);
 }
 
 void Child::exchange(std::string& unsent, std::string& received, milliseconds limit) {
@@ -139,28 +140,28 @@ void Child::close_input() { close_once(input_); }
 
 bool Child::has_ended(milliseconds patience) {
   const auto end = std::chrono::steady_clock::now() + patience;
-  while (!status_) {
-    int status = 0;
-    if (::waitpid(id_, &status, WNOHANG) == id_) status_ = status;
-    if (status_ || std::chrono::steady_clock::now() > end) break;
+  while (!end_) {
+    siginfo_t seen{};
+    const bool is_seen = ::waitid(P_PID, static_cast<id_t>(id_), &seen, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+                         seen.si_pid == id_;
+    if (is_seen) end_ = {.is_signal = seen.si_code != CLD_EXITED, .number = seen.si_status};
+    if (is_seen || std::chrono::steady_clock::now() > end) break;
     std::this_thread::sleep_for(milliseconds(1));
   }
-  return status_.has_value();
+  return end_.has_value();
 }
 
 std::string Child::how_it_ended() {
   if (!has_ended(milliseconds(200))) return "";
-  if (WIFSIGNALED(*status_))
-    return fmt::format("was ended by signal {} ({})", WTERMSIG(*status_), ::strsignal(WTERMSIG(*status_)));
-  const int status = WEXITSTATUS(*status_);
-  if (status > 128 && status < 128 + 65)  // as the shell reports it
-    return fmt::format("was ended by signal {} ({})", status - 128, ::strsignal(status - 128));
-  return fmt::format("ended with exit status {}", status);
+  const bool is_shell_report = !end_->is_signal && end_->number > 128 && end_->number < 128 + 65;
+  if (!end_->is_signal && !is_shell_report) return fmt::format("ended with exit status {}", end_->number);
+  const int signal = is_shell_report ? end_->number - 128 : end_->number;
+  return fmt::format("was ended by signal {} ({})", signal, ::strsignal(signal));
 }
 
 std::optional<int> Child::exit_status() const {
-  if (!status_ || !WIFEXITED(*status_)) return std::nullopt;
-  return WEXITSTATUS(*status_);
+  if (!end_ || end_->is_signal) return std::nullopt;
+  return end_->number;
 }
 
 std::string Child::last_words() {

@@ -46,6 +46,12 @@ class Child {
   [[nodiscard]] std::string last_words();
 
  private:
+  /// How a process ended: by a signal or with an exit status, and which.
+  struct End {
+    bool is_signal;
+    int number;
+  };
+
   void write_some(std::string& unsent);
   /// Whether more may come.
   static bool read_some(int file, std::string& into);
@@ -57,7 +63,7 @@ class Child {
   int input_ = -1;   ///< the child's standard input
   int output_ = -1;  ///< its standard output
   int errors_ = -1;
-  std::optional<int> status_{};  ///< of waitpid
+  std::optional<End> end_{};
   std::string error_text_{};
   std::uint64_t error_bytes_ = 0;
 };
