@@ -3,7 +3,7 @@
 /// The equation f of a piece of surface at the origin of a ray, and its derivative along the ray, over a
 /// ring: Interval and Estimate, which know when they can't decide, and the exact Ring.
 
-#include "oracle/geometry/newell.hpp"
+#include "oracle/geometry/flat_equation.hpp"
 #include "oracle/leaving/leaving.hpp"
 #include "oracle/numbers/exact.hpp"
 #include "oracle/numbers/filters.hpp"
@@ -17,11 +17,10 @@ struct PieceValue {
   bool is_odd = true;
 };
 
-/// normal·q = offset, seen from the ray.
+/// Of a plane, seen from the ray.
 template <class R>
-[[nodiscard]] PieceValue<R> value_of_plane(const ObjectRay<R>& ray, const Vector<R>& normal,
-                                           const R& offset) {
-  return {dot(normal, ray.origin) - ray.scale * offset, dot(normal, ray.direction)};
+[[nodiscard]] PieceValue<R> value_of_plane(const ObjectRay<R>& ray, const FlatEquation<R>& plane) {
+  return {dot(plane.normal, ray.origin) - ray.scale * plane.offset, dot(plane.normal, ray.direction)};
 }
 
 template <class R>
@@ -29,35 +28,10 @@ template <class R>
   return {-value.value, -value.slope, value.is_odd};
 }
 
-template <class R>
-[[nodiscard]] PieceValue<R> value_at(const ObjectRay<R>& ray, const ImplicitPlane& plane,
-                                     const SurfacePiece&) {
-  return value_of_plane(ray, Vector<R>::from(plane.normal), R(-plane.d));
-}
-template <class R>
-[[nodiscard]] PieceValue<R> value_at(const ObjectRay<R>& ray, const PointNormalPlane& plane,
-                                     const SurfacePiece&) {
-  const auto normal = Vector<R>::from(plane.normal);
-  return value_of_plane(ray, normal, dot(normal, Vector<R>::from(plane.point)));
-}
-template <class R>
-[[nodiscard]] PieceValue<R> value_at(const ObjectRay<R>& ray, const ParametricPlane& plane,
-                                     const SurfacePiece&) {
-  const Vector<R> normal = cross(Vector<R>::from(plane.u), Vector<R>::from(plane.v));
-  return value_of_plane(ray, normal, dot(normal, Vector<R>::from(plane.point)));
-}
-template <class R>
-[[nodiscard]] PieceValue<R> value_at(const ObjectRay<R>& ray, const Triangle<double>& triangle,
-                                     const SurfacePiece&) {
-  const auto a = Vector<R>::from(triangle.a);
-  const Vector<R> normal = cross(Vector<R>::from(triangle.b) - a, Vector<R>::from(triangle.c) - a);
-  return value_of_plane(ray, normal, dot(normal, a));
-}
-template <class R>
-[[nodiscard]] PieceValue<R> value_at(const ObjectRay<R>& ray, const Polygon<double>& polygon,
-                                     const SurfacePiece&) {
-  const auto normal = newell_normal<R>(polygon);
-  return value_of_plane(ray, normal, dot(normal, Vector<R>::from(polygon.vertices.front())));
+template <class R, class Flat>
+requires requires(const Flat& flat) { equation_of<R>(flat); }
+[[nodiscard]] PieceValue<R> value_at(const ObjectRay<R>& ray, const Flat& flat, const SurfacePiece&) {
+  return value_of_plane(ray, equation_of<R>(flat));
 }
 
 template <class R>
@@ -92,7 +66,7 @@ template <class R>
   const Vector<R> normal = cross(edge(face.index + 1, R(0.0)), edge(face.index + 2, R(0.0)));
   R offset = dot(normal, Vector<R>::from(solid.corner));
   if (face.is_upper) offset = offset + dot(normal, edge(face.index, R(0.0)));
-  const PieceValue<R> value = value_of_plane(ray, normal, offset);
+  const PieceValue<R> value = value_of_plane<R>(ray, {normal, offset});
   return face.is_upper == (handed > 0) ? value : turned(value);
 }
 

@@ -3,6 +3,7 @@
 /// What the shapes bounded by planes share: the units that distances from the planes are measured in; and for
 /// the flat ones, plane, triangle and polygon, the exact intersection with a ray.
 
+#include "oracle/geometry/flat_equation.hpp"
 #include "oracle/geometry/sizes.hpp"
 #include "oracle/judge/judging.hpp"
 
@@ -57,19 +58,6 @@ class PlanarIntersection : public ExactIntersection {
  private:
   mutable std::optional<PlanarSizes<Ring>> sizes_;
 };
-
-/// The plane normal·q = offset in the object's space.
-template <class R>
-struct FlatEquation {
-  Vector<R> normal;
-  R offset;
-};
-
-/// The plane through a point.
-template <class R>
-[[nodiscard]] FlatEquation<R> plane_through(const glm::dvec3& point, const Vector<R>& normal) {
-  return {normal, dot(normal, Vector<R>::from(point))};
-}
 
 /// Where a line meets a plane: slope·t = gap, in the scale of ObjectRay.
 template <class R>

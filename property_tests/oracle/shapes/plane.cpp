@@ -8,19 +8,6 @@
 namespace rayproof::oracle {
 namespace {
 
-template <class R>
-FlatEquation<R> equation_of(const ImplicitPlane& plane) {
-  return {Vector<R>::from(plane.normal), R(-plane.d)};
-}
-template <class R>
-FlatEquation<R> equation_of(const PointNormalPlane& plane) {
-  return plane_through(plane.point, Vector<R>::from(plane.normal));
-}
-template <class R>
-FlatEquation<R> equation_of(const ParametricPlane& plane) {
-  return plane_through(plane.point, cross(Vector<R>::from(plane.u), Vector<R>::from(plane.v)));
-}
-
 template <class Size, class Plane>
 Size position_of(const Plane& plane) {
   if constexpr (requires { plane.point; })

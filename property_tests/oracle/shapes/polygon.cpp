@@ -1,7 +1,6 @@
 /// \file
 /// The oracle for ray and polygon.
 
-#include "oracle/geometry/newell.hpp"
 #include "oracle/shapes/estimated.hpp"
 #include "oracle/shapes/flat_meeting.hpp"
 #include "oracle/shapes/outlined.hpp"
@@ -9,11 +8,6 @@
 
 namespace rayproof::oracle {
 namespace {
-
-template <class R>
-FlatEquation<R> plane_of(const Polygon<double>& polygon) {
-  return plane_through(polygon.vertices.front(), newell_normal<R>(polygon));
-}
 
 /// How the line touches the polygon where it meets its plane at t, as the projection sees it.
 template <class R>
@@ -43,7 +37,7 @@ Size normal_size_of(const Polygon<double>& polygon) {
 class PolygonMeeting : public FlatMeeting {
  public:
   PolygonMeeting(const RayQuestion& question, const Polygon<double>& polygon)
-      : FlatMeeting(question, plane_of<Estimate>(polygon)), polygon_(polygon) {}
+      : FlatMeeting(question, equation_of<Estimate>(polygon)), polygon_(polygon) {}
 
   [[nodiscard]] auto hits() const {
     return hits_where(
@@ -59,7 +53,7 @@ class PolygonMeeting : public FlatMeeting {
 class PolygonIntersection final : public OutlinedIntersection {
  public:
   PolygonIntersection(const RayQuestion& question, const Polygon<double>& polygon)
-      : OutlinedIntersection(question, plane_of<Ring>(polygon)), polygon_(polygon) {}
+      : OutlinedIntersection(question, equation_of<Ring>(polygon)), polygon_(polygon) {}
 
   /// In units of what the rounding of the normal moves, or by how little another axis of the projection was
   /// not chosen.

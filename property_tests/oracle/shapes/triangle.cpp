@@ -11,13 +11,6 @@
 namespace rayproof::oracle {
 namespace {
 
-/// With (b-a)×(c-a) as its normal; a zero normal where the area is zero.
-template <class R>
-FlatEquation<R> plane_of(const Triangle<double>& triangle) {
-  return plane_through(
-      triangle.a, cross(step_between<R>(triangle.a, triangle.b), step_between<R>(triangle.a, triangle.c)));
-}
-
 /// The signed volumes that the ray's direction spans with each edge as seen from the origin. Over their sum
 /// they are the barycentric coordinates of the point in which the line meets the triangle's plane.
 template <class R>
@@ -62,7 +55,7 @@ double far_of(const Triangle<double>& triangle, const Size& steepness) {
 class TriangleMeeting : public FlatMeeting {
  public:
   TriangleMeeting(const RayQuestion& question, const Triangle<double>& triangle)
-      : FlatMeeting(question, plane_of<Estimate>(triangle)), triangle_(triangle) {}
+      : FlatMeeting(question, equation_of<Estimate>(triangle)), triangle_(triangle) {}
 
   [[nodiscard]] auto hits() const {
     return hits_where([&](const auto& /*t*/) { return contact_of(volumes_of(ray(), triangle_)); });
@@ -81,7 +74,7 @@ class TriangleMeeting : public FlatMeeting {
 class TriangleIntersection final : public OutlinedIntersection {
  public:
   TriangleIntersection(const RayQuestion& question, const Triangle<double>& triangle)
-      : OutlinedIntersection(question, plane_of<Ring>(triangle)),
+      : OutlinedIntersection(question, equation_of<Ring>(triangle)),
         corners_{triangle.a, triangle.b, triangle.c},
         volumes_(volumes_of(ray(), triangle)) {}
 
