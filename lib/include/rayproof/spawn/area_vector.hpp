@@ -2,36 +2,15 @@
 /// \file
 /// The vector area of a polygon, good to its last digits however thin the polygon is.
 
-#include <rayproof/arithmetics/error_free.hpp>
 #include <rayproof/arithmetics/growing_expansion.hpp>
 #include <rayproof/formulas/polygon_sides.hpp>
 #include <rayproof/polygon.hpp>
+#include <rayproof/spawn/long_sum.hpp>
 #include <vector>
 
 #include <rayproof/rounding/as_written.hpp>
 
 namespace rayproof::spawn::detail {
-
-/// Sums of products in twice the digits (T. Ogita, S. M. Rump, S. Oishi, "Accurate Sum and Dot Product",
-/// 2005, algorithm Dot2): `value()` is off by 2ε of itself and by 4(n+2)ε² of `size`, the sum of the n
-/// magnitudes.
-template <std::floating_point T>
-struct LongSum {
-  T high = 0, low = 0, size = 0;
-  int terms = 0;
-
-  void add_product(T a, T b) {
-    const ErrorFree<T> product = two_product(a, b), total = two_sum(high, product.rounded);
-    high = total.rounded;
-    low += total.rest + product.rest;
-    size += abs(product.rounded);
-    ++terms;
-  }
-  [[nodiscard]] T value() const { return high + low; }
-  [[nodiscard]] T bound() const {
-    return 4 * T(terms + 2) * unit<T> * unit<T> * size + 2 * unit<T> * abs(value());
-  }
-};
 
 /// b - a in each component, exactly: the difference as rounded, and what was rounded away.
 template <std::floating_point T>

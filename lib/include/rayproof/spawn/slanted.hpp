@@ -4,7 +4,7 @@
 
 #include <rayproof/arithmetics/growing_expansion.hpp>
 #include <rayproof/parallelepiped.hpp>
-#include <rayproof/spawn/dot_compensated.hpp>
+#include <rayproof/spawn/long_sum.hpp>
 #include <rayproof/spawn/placement.hpp>
 #include <rayproof/spawn/solid.hpp>
 #include <rayproof/transform.hpp>
@@ -67,7 +67,7 @@ template <std::floating_point T>
   Slanted<T> made = detail::slanted_along<T>(solid.corner, x, y, z);
   const auto pair = [&](int i, vec3<T>& normal, const vec3<T>& edge, const vec3<T>& a, const vec3<T>& b) {
     const vec3<T> n = cross_compensated<T>(a, b);
-    const T length = sqrt(dot(n, n)), height = dot_compensated<T>(n, edge) / length;
+    const T length = sqrt(dot(n, n)), height = detail::dot_compensated<T>(n, edge) / length;
     normal = (height < 0 ? T(-1) : T(1)) / length * n;
     detail::set_height<T>(made, i, abs(height),
                           8 * unit<T> * dot(magnitudes<T>(normal), magnitudes<T>(edge)));
