@@ -2,12 +2,12 @@
 /// \file
 /// A case as a problem of the library, in any arithmetic, and what a kernel returns as an answer to it.
 
-#include <rayproof/batch/among_neighbours.hpp>
 #include <rayproof/normals.hpp>
 #include <rayproof/plane/forms.hpp>
 #include <rayproof/topics.hpp>
 #include <rayproof/transform.hpp>
 
+#include "subjects/among_neighbours.hpp"
 #include "subjects/subject.hpp"
 
 namespace rayproof {

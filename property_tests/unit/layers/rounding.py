@@ -14,8 +14,7 @@ import sys
 BEGIN, END = "#include <rayproof/rounding/as_written.hpp>", "#include <rayproof/rounding/as_before.hpp>"
 COMPUTES = re.compile(r"[\w)\]] \*=? [\w(]|\bstep<T>\(")
 # No sum is near their products, or they are of integers: what takes them in line is a kernel, or not ours.
-FREE = {"arithmetic.hpp", "arithmetics/pack.hpp", "batch/among_neighbours.hpp", "method/narration.hpp",
-        "objects/object_group.hpp"}
+FREE = {"arithmetic.hpp", "arithmetics/pack.hpp", "method/narration.hpp", "objects/object_group.hpp"}
 
 
 def unguarded(text):

@@ -1,5 +1,4 @@
-#include <rayproof/batch/among_neighbours.hpp>
-
+#include "subjects/among_neighbours.hpp"
 #include "unit/batch/hard_numbers.hpp"
 
 namespace rayproof {
