@@ -44,6 +44,8 @@ template <template <class> class Surface, class T>
   const ObjectSpace<T>& inverse = map.inverse;
   const vec3<T> seen = inverse.point(p);
   const vec3<T> farthest = outermost(surface, seen);
+  // Thirty-two times what mapping a point rounds: more than the point, its offset and the next ray's start
+  // can lose together. It is not tight: it only keeps the point this far from the ends of its face.
   const T coarse = T(160 * eps) * (dot(map.column_sums, farthest) + sum<T>(map.sizes)) + T(least_offset<T>);
   const SurfacePoint<T> own = surface_point(surface, seen, coarse * map.row_sums);
 

@@ -38,6 +38,9 @@ template <class To, class From>
           convert<To>(from.size_y),      convert<To>(from.size_z),   convert<To>(from.sizes)};
 }
 
+/// The placement by an affine object-to-world matrix, whose last row is (0, 0, 0, 1). Made once for all hits;
+/// of a matrix without inverse its numbers are infinite or NaN, and so are the origins of the rays that leave
+/// by it.
 template <std::floating_point T>
 [[nodiscard]] Placement<T> placement(const glm::mat<4, 4, T>& object_to_world) {
   const ObjectSpace<T> inverse = object_space<T>(object_to_world);

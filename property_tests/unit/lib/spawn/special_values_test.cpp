@@ -152,6 +152,22 @@ TYPED_TEST(LeavingIn, NaNGivesNoOrigin) {
       << "nor has one of nothing";
 }
 
+TYPED_TEST(LeavingIn, AMapWithoutInverseGivesNoOrigin) {
+  using T = TypeParam;
+  glm::mat<4, 4, T> flattened(T(1));
+  flattened[0][0] = 0;
+  const Placement<T> map = placement<T>(flattened);
+  const auto expect_none = [&](const auto& shape) {
+    const vec3<T> from = Proven::origin(leave(surface_of(shape), map, vec3<T>{0, T(0.25), 1}));
+    EXPECT_TRUE(std::isnan(from.x) || std::isnan(from.y) || std::isnan(from.z));
+  };
+  expect_none(Sphere<T>{{0, 0, 0}, 1});
+  expect_none(unit_box<T>());
+  expect_none(Cylinder<T>{1, 1, 1});
+  expect_none(Parallelepiped<T>{{0, 0, 0}, {vec3<T>{1, 0, 0}, vec3<T>{0, 1, 0}, vec3<T>{0, 0, 1}}});
+  expect_none(Triangle<T>{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}});
+}
+
 TEST(TheFixedOffset, IsTenToTheMinusFour) {
   EXPECT_EQ((origin_at<Fixed, double>(unit_box<double>(), {0.5, 0.5, 1}).z), 1 + 1e-4);
   EXPECT_EQ((origin_at<Nothing, double>(unit_box<double>(), {0.5, 0.5, 1}).z), 1);
