@@ -91,7 +91,7 @@ Point pinhole(const SpaceCamera& camera, const PixelBox& frame, const glm::dvec3
           frame.centre().y - scale * glm::dot(off, glm::cross(camera.toward, right))};
 }
 
-// The same formula holds for the pages: property_tests/unit/pages/drive.py.
+// The same formula holds for the pages: property_tests/unit/pages/pinhole.py.
 TEST(SpaceScene, SeesEveryPointWhereTheCamerasNumbersSay) {
   const OffscreenDisplay display;
   const PixelBox frame{10, 20, 640, 400};
