@@ -74,9 +74,8 @@ Hypothesis missing_side(std::string_view name, std::string_view words) {
 
 /// What is right inside and wrong outside may look at no side at all.
 Hypothesis angles_rounded() {
-  return shown_by(
-      [](const Case& /*one*/, const Answer& exact) { return finds_something(exact); },
-      gives("angles-without-sign-rounded", inside_by<InsideRule::angles_rounded>, angles_in_words));
+  return shown_by([](const Case& /*one*/, const Answer& exact) { return finds_something(exact); },
+                  gives("angles-without-sign-rounded", inside_by<inside::angles_rounded>, angles_in_words));
 }
 
 constexpr std::string_view level_vertex_in_words =
@@ -93,45 +92,45 @@ constexpr std::string_view wrong_crossing_in_words =
 
 std::vector<Hypothesis> models_of_outlines() {
   return {
-      gives("level-vertex", inside_by<InsideRule::closed_sides>, level_vertex_in_words),
-      gives("level-vertex-in-order", inside_by<InsideRule::closed_sides, Sweep::along_in_order>,
+      gives("level-vertex", inside_by<inside::closed_sides>, level_vertex_in_words),
+      gives("level-vertex-in-order", inside_by<inside::closed_sides, Sweep::along_in_order>,
             level_vertex_in_words),
-      gives("level-vertex-by-order", inside_by<InsideRule::closed_at_first>,
+      gives("level-vertex-by-order", inside_by<inside::closed_at_first>,
             "a vertex level with the point counts for the side that begins there, or that ends there, "
             "whichever way "
             "it leads: it must count for the side above it, or for that below it"),
-      gives("level-sides-count", inside_by<InsideRule::level_sides>,
+      gives("level-sides-count", inside_by<inside::level_sides>,
             "a side level with the point counts as crossed, too: it must count for nothing"),
-      gives("level-vertex-upward", inside_by<InsideRule::closed_sides, Sweep::upward>,
+      gives("level-vertex-upward", inside_by<inside::closed_sides, Sweep::upward>,
             "a vertex straight above or below the point counts for both its sides, or for neither: it must "
             "count "
             "for one"),
-      gives("level-outside", inside_by<InsideRule::not_level>,
+      gives("level-outside", inside_by<inside::not_level>,
             "a point level with a vertex is taken for outside"),
       gives_to_all("hit-exchanged", exchanged_in_projection,
                    "the hit's two coordinates in the projection are exchanged, and those of the vertices are "
                    "not"),
-      gives("winding-rule", inside_by<InsideRule::winding>,
+      gives("winding-rule", inside_by<inside::winding>,
             "the answer is right for the non-zero winding rule, and not for the even-odd one"),
-      gives("endless-sides", inside_by<InsideRule::endless_sides>,
+      gives("endless-sides", inside_by<inside::endless_sides>,
             "a side counts as crossed beyond its second vertex, too: it is taken for an endless half line"),
-      gives("both-ways", inside_by<InsideRule::both_ways>,
+      gives("both-ways", inside_by<inside::both_ways>,
             "crossings on both sides of the point are counted: x is not compared"),
-      gives_to_all("last-side-missing", inside_by<InsideRule::last_side>, last_side_in_words),
-      gives_to_all("last-side-missing-against", inside_by<InsideRule::last_side, Sweep::against>,
+      gives_to_all("last-side-missing", inside_by<inside::last_side>, last_side_in_words),
+      gives_to_all("last-side-missing-against", inside_by<inside::last_side, Sweep::against>,
                    last_side_in_words),
-      gives_to_all("last-side-missing-in-order", inside_by<InsideRule::last_side, Sweep::along_in_order>,
+      gives_to_all("last-side-missing-in-order", inside_by<inside::last_side, Sweep::along_in_order>,
                    last_side_in_words),
       gives_to_all("last-side-missing-against-in-order",
-                   inside_by<InsideRule::last_side, Sweep::against_in_order>, last_side_in_words),
-      gives_to_all("last-side-missing-upward", inside_by<InsideRule::last_side, Sweep::upward>,
+                   inside_by<inside::last_side, Sweep::against_in_order>, last_side_in_words),
+      gives_to_all("last-side-missing-upward", inside_by<inside::last_side, Sweep::upward>,
                    last_side_in_words),
-      gives_to_all("last-side-missing-downward", inside_by<InsideRule::last_side, Sweep::downward>,
+      gives_to_all("last-side-missing-downward", inside_by<inside::last_side, Sweep::downward>,
                    last_side_in_words),
       missing_side<0>("first-side-missing", "first vertex to the second"),
       missing_side<1>("second-side-missing", "second vertex to the third"),
       missing_side<-2>("last-but-one-side-missing", "last vertex but one to the last"),
-      gives("first-triangle", inside_by<InsideRule::first_triangle>,
+      gives("first-triangle", inside_by<inside::first_triangle>,
             "only the first three vertices are looked at"),
       gives(
           "side-without-length", on_side_without_length,
@@ -156,11 +155,11 @@ std::vector<Hypothesis> models_of_outlines() {
             "bounding box "
             "is compared by < where <= belongs",
             boundary),
-      gives("angles-without-sign", inside_by<InsideRule::angles>, angles_in_words),
-      gives("angles-without-sign-or-more", inside_by<InsideRule::angles_or_more>, angles_in_words),
+      gives("angles-without-sign", inside_by<inside::angles>, angles_in_words),
+      gives("angles-without-sign-or-more", inside_by<inside::angles_or_more>, angles_in_words),
       angles_rounded(),
       gives(
-          "bounds-of-three", inside_by<InsideRule::bounds_of_three>,
+          "bounds-of-three", inside_by<inside::bounds_of_three>,
           "what lies outside the bounding box of the first three vertices is said to be outside: that box is "
           "too small"),
       gives_one_of("bounds-but-one", outside_small_box,
@@ -175,41 +174,41 @@ std::vector<Hypothesis> models_of_outlines() {
       of_first_vertices<10>("ten"),
       of_first_vertices<12>("twelve"),
       of_first_vertices<16>("sixteen"),
-      gives("upright-sides", inside_by<InsideRule::upright_sides>,
+      gives("upright-sides", inside_by<inside::upright_sides>,
             "an upright side counts as crossed on whichever side of the point it lies: x is not compared "
             "there"),
-      gives("repeated-vertices", inside_by<InsideRule::unrepeated>,
+      gives("repeated-vertices", inside_by<inside::unrepeated>,
             "a vertex that has been there before is left out, and a side goes past it"),
-      gives("inequality-unturned", inside_by<InsideRule::unturned>,
+      gives("inequality-unturned", inside_by<inside::unturned>,
             "an inequality is multiplied by a side's height, which may be negative, and not turned round"),
       gives(
-          "sides-cut-off", inside_by<InsideRule::cut_off_turns>,
+          "sides-cut-off", inside_by<inside::cut_off_turns>,
           "the product that says on which side of a side the point lies is cut off to a whole number: beside "
           "a side it is 0"),
-      gives_to_all("compares-first-vertex", inside_by<InsideRule::first_end>,
+      gives_to_all("compares-first-vertex", inside_by<inside::first_end>,
                    "x is compared with a vertex of the side, and must be with the crossing"),
-      gives_to_all("compares-second-vertex", inside_by<InsideRule::second_end>,
+      gives_to_all("compares-second-vertex", inside_by<inside::second_end>,
                    "x is compared with a vertex of the side, and must be with the crossing"),
-      gives_to_all("compares-farther-vertex", inside_by<InsideRule::farther_end>,
+      gives_to_all("compares-farther-vertex", inside_by<inside::farther_end>,
                    "x is compared with the larger x of a side's two vertices, and must be with the crossing"),
       gives_one_of("crossing-wrong", wrong_crossing<Sweep::along>, wrong_crossing_in_words),
       gives_one_of("crossing-wrong-against", wrong_crossing<Sweep::against>, wrong_crossing_in_words),
       gives_one_of("crossing-wrong-in-order", wrong_crossing<Sweep::along_in_order>, wrong_crossing_in_words),
       gives_one_of("crossing-wrong-upward", wrong_crossing<Sweep::upward>, wrong_crossing_in_words),
-      gives_to_all("any-crossing", inside_by<InsideRule::any_crossing>,
+      gives_to_all("any-crossing", inside_by<inside::any_crossing>,
                    "one crossed side is enough: crossings must be counted, even or odd"),
-      gives_to_all("one-way-sides", inside_by<InsideRule::upward>,
+      gives_to_all("one-way-sides", inside_by<inside::upward>,
                    "a side counts as crossed in one direction alone, upward or downward"),
       gives("never-inside", never_inside,
             "no point is ever said to be inside: where x is not compared, the sides crossed on both sides of "
             "it "
             "are even; and angles that are not brought between -π and π add up to 0"),
-      gives("taken-as-convex", inside_by<InsideRule::one_side>,
+      gives("taken-as-convex", inside_by<inside::one_side>,
             "inside is where all sides turn one way: the polygon is taken for convex"),
       gives("fan-of-triangles", fan_of_triangles,
             "the polygon is cut into a fan of triangles from its first vertex, each in its own plane: it is "
             "taken for convex, and for flat"),
-      gives("fan", inside_by<InsideRule::fan>,
+      gives("fan", inside_by<inside::fan>,
             "inside is what lies in a triangle of the fan from the first vertex: the polygon is taken for "
             "convex"),
       gives("inside-out", inside_out, "inside is called outside, and outside inside"),
@@ -238,7 +237,7 @@ std::vector<Hypothesis> models_of_outlines() {
       loose_sides<-4>(),
       loose_sides<-3>(),
       loose_sides<-2>(),
-      gives("bounding-box", inside_by<InsideRule::bounds>, "the whole bounding box of the polygon is hit"),
+      gives("bounding-box", inside_by<inside::bounds>, "the whole bounding box of the polygon is hit"),
   };
 }
 

@@ -17,18 +17,18 @@ Answers inside_by(const Case& one, const Answer& exact, InsideRule rule, Sweep s
   const auto hit = point_and_outline(one);
   if (!hit || is_at_side(one.precision, hit->point, hit->vertices)) return {};
   const PlaneHit seen = swept(sweep, *hit);
-  const bool in = is_inside(rule, seen.point, seen.vertices);
+  const bool in = rule(seen.point, seen.vertices);
   Answers all = place_at(one, *hit, in);
   // A vertex on the point's level may count as above it, unless the rule is another one upside down.
-  const bool is_symmetric = rule != InsideRule::unturned && rule != InsideRule::exchanged;
+  const bool is_symmetric = rule != inside::unturned && rule != inside::exchanged;
   const PlaneHit mirrored = upside_down(seen);
-  if (is_symmetric && is_inside(rule, mirrored.point, mirrored.vertices) != in)
+  if (is_symmetric && rule(mirrored.point, mirrored.vertices) != in)
     for (const Answer& other : place_at(one, *hit, !in)) all.push_back(other);
   return all;
 }
 
 Answers exchanged_in_projection(const Case& one, const Answer& exact) {
-  return ray_question(one) != nullptr ? inside_by<InsideRule::exchanged>(one, exact) : Answers{};
+  return ray_question(one) != nullptr ? inside_by<inside::exchanged>(one, exact) : Answers{};
 }
 
 bool is_on_third_side(const Case& one) {
