@@ -65,7 +65,7 @@ int main(int count, char** arguments) {
   const std::string_view which = count > 1 ? arguments[1] : "";
   if (which == "published") return answer_cases(published);
   if (which == "woop") return answer_with<triangle::Woop>();
-  if (which == "plucker") return answer_with<triangle::Pluecker>();
+  if (which == "plucker") return answer_with<triangle::Plucker>();
   if (which == "rounded") return answer_with<triangle::Rounded>();
   std::cerr << "rayproof-build-triangles: published, woop, plucker or rounded\n";
   return 2;

@@ -112,7 +112,7 @@ TYPED_TEST(NormalsOf, ATriangleSmallerThanItsRoundingIsMissed) {
   const T far = std::ldexp(T(1), std::numeric_limits<T>::digits);
   const Triangle<T> speck{{0, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const Ray<T> ray{{-far, 5 * far, 0}, {1, -5, 0}};
-  const FlatHit<T> hit = triangle::Pluecker::roots(ray, speck);
+  const FlatHit<T> hit = triangle::Plucker::roots(ray, speck);
   EXPECT_TRUE(std::isnan(hit.lo));
 }
 

@@ -20,7 +20,7 @@ struct Topic : RayTopic<Triangle> {
   static constexpr double robust_bound = triangle_robust_bound;
   static constexpr bool is_batched = true;
   static constexpr bool has_columns = true;
-  using Methods = TypeList<Cramer, PlaneProjection, MollerTrumbore, Woop, Pluecker, Rounded,
+  using Methods = TypeList<Cramer, PlaneProjection, MollerTrumbore, Woop, Plucker, Rounded,
                            PrintedParallelogram, PrintedLambda2, PrintedXy>;
   using Plain = Woop;
   using Exact = Rounded;

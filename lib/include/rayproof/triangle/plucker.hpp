@@ -12,7 +12,7 @@ namespace rayproof::triangle {
 ///
 /// Two triangles that share an edge compute one number for it, with opposite signs, so no ray slips between
 /// them, though rounding may put it on the wrong side.
-struct Pluecker {
+struct Plucker {
   static constexpr const char* name = "plucker";
   static constexpr const char* title = "signs of the three Plücker sides";
   static constexpr Source source{"R. Jones", "Intersecting a Ray and a Triangle with Plücker Coordinates",

@@ -65,11 +65,11 @@ struct Rounded {
     return quick_or_exact_roots<Rounded>(space, ray, triangle);
   }
 
-  /// Pluecker of a ray in object space whose numbers have bounds on their errors.
+  /// Plucker of a ray in object space whose numbers have bounds on their errors.
   template <class W>
   [[nodiscard]] static constexpr EnclosedHit<W> enclosed_in_space(const Ray<Bounded<W>>& ray,
                                                                   const Triangle<Bounded<W>>& triangle) {
-    return enclosed_by_bounds(Pluecker::roots(ray, triangle));
+    return enclosed_by_bounds(Plucker::roots(ray, triangle));
   }
 
   /// Where a ray from o along d meets the triangle, as met_exactly has them.

@@ -27,7 +27,7 @@ TYPED_TEST(WatertightTriangle, LetsNoRayThroughASharedEdge) {
     const vec3<T> on_edge = corner[0] + T(i) / T(1000) * (corner[1] - corner[0]);
     const Ray<T> ray{{T(0.1), T(0.2), T(-0.3)}, on_edge - vec3<T>{T(0.1), T(0.2), T(-0.3)}};
     EXPECT_TRUE(any(ray, Woop::roots(ray, left)) || any(ray, Woop::roots(ray, right)));
-    EXPECT_TRUE(any(ray, Pluecker::roots(ray, left)) || any(ray, Pluecker::roots(ray, right)));
+    EXPECT_TRUE(any(ray, Plucker::roots(ray, left)) || any(ray, Plucker::roots(ray, right)));
     EXPECT_TRUE(any(ray, Rounded::roots(ray, left)) || any(ray, Rounded::roots(ray, right)));
   }
 }
