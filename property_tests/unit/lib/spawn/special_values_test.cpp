@@ -163,7 +163,7 @@ TYPED_TEST(LeavingIn, AMapWithoutInverseGivesNoOrigin) {
   };
   expect_none(Sphere<T>{{0, 0, 0}, 1});
   expect_none(unit_box<T>());
-  expect_none(Cylinder<T>{1, 1, 1});
+  expect_none(Cylinder<T>{1, 1, 1, true});
   expect_none(Parallelepiped<T>{{0, 0, 0}, {vec3<T>{1, 0, 0}, vec3<T>{0, 1, 0}, vec3<T>{0, 0, 1}}});
   expect_none(Triangle<T>{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}});
 }
