@@ -40,7 +40,8 @@ struct Stable {
 
     step<T>(steps::roots_by_viete);
     const T t1 = named("t₁", q / a);
-    const T t0 = named("t₀", select(q == T(0), t1, c / q));
+    // A double root is one number; b = D = 0 leaves q = 0, and 0/0 must not be.
+    const T t0 = named("t₀", select(D == T(0), t1, c / q));
     return ascending(D, t0, t1);
   }
 };
