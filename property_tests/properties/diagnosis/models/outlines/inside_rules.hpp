@@ -26,7 +26,7 @@ namespace inside {
 [[nodiscard]] bool winding(const glm::dvec2& point, const Outline& outline);
 /// A side goes on without end beyond its second vertex.
 [[nodiscard]] bool endless_sides(const glm::dvec2& point, const Outline& outline);
-/// X is not compared: crossings on both sides of the point count, half of them.
+/// x is not compared: crossings on both sides of the point count, half of them.
 [[nodiscard]] bool both_ways(const glm::dvec2& point, const Outline& outline);
 /// The side from the last vertex to the first is forgotten.
 [[nodiscard]] bool last_side(const glm::dvec2& point, const Outline& outline);
@@ -38,11 +38,11 @@ namespace inside {
 [[nodiscard]] bool unrepeated(const glm::dvec2& point, const Outline& outline);
 /// An inequality is multiplied by a negative height, and not turned round.
 [[nodiscard]] bool unturned(const glm::dvec2& point, const Outline& outline);
-/// X is compared with that of a side's first vertex, not with the crossing's.
+/// x is compared with that of a side's first vertex, not with the crossing's.
 [[nodiscard]] bool first_end(const glm::dvec2& point, const Outline& outline);
-/// With that of its second vertex.
+/// x is compared with that of a side's second vertex.
 [[nodiscard]] bool second_end(const glm::dvec2& point, const Outline& outline);
-/// With the larger of the two.
+/// x is compared with the larger x of a side's two vertices.
 [[nodiscard]] bool farther_end(const glm::dvec2& point, const Outline& outline);
 /// One crossed side is enough, and none more changes it.
 [[nodiscard]] bool any_crossing(const glm::dvec2& point, const Outline& outline);
@@ -50,13 +50,13 @@ namespace inside {
 [[nodiscard]] bool upward(const glm::dvec2& point, const Outline& outline);
 /// Inside is where all sides turn one way: right for convex polygons only.
 [[nodiscard]] bool one_side(const glm::dvec2& point, const Outline& outline);
-/// The triangles of the fan from the first vertex, all together.
+/// Inside is what lies in a triangle of the fan from the first vertex.
 [[nodiscard]] bool fan(const glm::dvec2& point, const Outline& outline);
 /// The angles at which the sides are seen, without a sign, add up to a whole turn.
 [[nodiscard]] bool angles(const glm::dvec2& point, const Outline& outline);
-/// To a whole turn or more.
+/// These angles add up to a whole turn or more.
 [[nodiscard]] bool angles_or_more(const glm::dvec2& point, const Outline& outline);
-/// To an odd number of turns, rounded.
+/// These angles add up to an odd number of turns, rounded.
 [[nodiscard]] bool angles_rounded(const glm::dvec2& point, const Outline& outline);
 /// Twice the area that a side spans with the point is cut off to a whole number.
 [[nodiscard]] bool cut_off_turns(const glm::dvec2& point, const Outline& outline);
