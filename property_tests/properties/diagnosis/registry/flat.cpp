@@ -283,7 +283,6 @@ std::vector<Hypothesis> models_of_flat_figures() {
       gives("slope-float-epsilon", slope_below_float_epsilon_missed,
             "a surface is missed where |n·d|, the determinant of a triangle's formula, is below the machine "
             "epsilon of float, 1.2e-7, in doubles, too: it is no measure of that")));
-  all.back().differs_by_precision = true;
   add_small_slopes<-6, -5, -4, -3, -2>(all);
   return all;
 }
